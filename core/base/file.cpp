@@ -1,0 +1,132 @@
+#include "core/base/file.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace pbffd {
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  ~Descriptor() {
+    if (value_ >= 0) {
+      ::close(value_);
+    }
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return value_; }
+
+ private:
+  int value_;
+};
+
+[[noreturn]] void failToWrite(const std::filesystem::path& path, int code) {
+  throw IoError(format("Could not write {}: {}.", path.string(), std::generic_category().message(code)));
+}
+
+void writeAll(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written < 0) {
+      failToWrite(path, errno);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+    failToWrite(path, errno);
+  }
+}
+
+/// Permissions of the file that is replaced, else what the user's mask gives a new file.
+mode_t permissionsFor(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    return status.st_mode & 07777;
+  }
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& path) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+    throw IoError(format("Could not read {}: it is a folder.", path.string()));
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw IoError(format("Could not read {}: {}.", path.string(), std::generic_category().message(errno)));
+  }
+  std::string bytes;
+  std::error_code unknownSize;
+  const auto size = std::filesystem::file_size(path, unknownSize);
+  if (!unknownSize) {
+    bytes.reserve(size);
+  }
+  std::array<char, 1 << 16> buffer;
+  while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {
+    bytes.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) {
+    throw IoError(format("Could not read {} to its end.", path.string()));
+  }
+  return bytes;
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+  // A link is followed, so that saving through it does not replace it.
+  std::error_code notThere;
+  const auto resolved = std::filesystem::canonical(path, notThere);
+  const std::filesystem::path target = notThere ? path : resolved;
+  if (!notThere && !std::filesystem::is_regular_file(target)) {
+    throw IoError(format("Could not write {}: it is not a regular file.", path.string()));
+  }
+  std::string temporary = target.string() + ".XXXXXX";
+  const Descriptor file(::mkstemp(temporary.data()));
+  if (file.get() < 0) {
+    failToWrite(path, errno);
+  }
+  try {
+    writeAll(file.get(), bytes, path);
+    ::fchmod(file.get(), permissionsFor(target));
+    if (::rename(temporary.c_str(), target.c_str()) != 0) {
+      failToWrite(path, errno);
+    }
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+  unsigned int length = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+    throw IoError("Could not compute a SHA-256 digest.");
+  }
+  std::string text;
+  for (unsigned int i = 0; i < length; ++i) {
+    text += format("{:02x}", digest[i]);
+  }
+  return text;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/ffd/parameterization.h"
+
+#include <memory>
+#include <vector>
+
+namespace pbffd {
+
+/// The deformed vertices in double precision, N x 3 in file order: v + sum_j w_j (M_j - I) v over the
+/// members that moved, weights computed afresh in double (McDonnell & Qin, eqs. 4 to 7, in displacement
+/// form). At rest the very bits of the mesh; the same bits on every processor and any number of threads.
+Points deformExactly(const RestMesh& mesh, const ControlSet& set, const Parameterization& parameterization,
+                     const Progress& progress = {});
+
+/// The deformation gradient at each vertex, d v' / d v, analytic: what turns normals and frames and
+/// stretches lengths. One a vertex in file order; identity at rest.
+std::vector<Mat3> deformationGradients(const RestMesh& mesh, const ControlSet& set,
+                                       const Parameterization& parameterization,
+                                       const Progress& progress = {});
+
+/// The deformed mesh kept up to date for the screen, in single precision relative to `origin`, in slots
+/// (the mesh's Morton order). Positions are always re-evaluated from rest, so they cannot drift.
+class LiveDeformation {
+ public:
+  LiveDeformation(std::shared_ptr<const RestMesh> mesh, std::shared_ptr<const Parameterization> weights);
+  ~LiveDeformation();
+  LiveDeformation(LiveDeformation&&) noexcept;
+  LiveDeformation& operator=(LiveDeformation&&) noexcept;
+
+  /// Brings positions and normals to these maps, evaluating only the blocks that a changed map touches and
+  /// the normals of the faces around them. Returns the number of vertices evaluated.
+  Index update(const LevelMaps& maps);
+
+  /// Subtracted from every position before it became single precision: the centre of the rest bounds.
+  const Vec3& origin() const;
+
+  /// 3 a slot. The memory stays where it is as long as this object lives.
+  const std::vector<float>& positions() const;
+  const std::vector<float>& normals() const;
+
+  /// 3 slots a triangle, in the order of the mesh's triangles().
+  const std::vector<Index>& triangleSlots() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pbffd

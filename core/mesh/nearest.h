@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/types.h"
+
+#include <memory>
+#include <vector>
+
+namespace pbffd {
+
+/// A kd-tree over points: the only user of nanoflann. Copies the points.
+class NearestPoints {
+ public:
+  explicit NearestPoints(const Points& points);
+  ~NearestPoints();
+  NearestPoints(NearestPoints&&) noexcept;
+  NearestPoints& operator=(NearestPoints&&) noexcept;
+
+  struct Neighbour {
+    Index index;
+    double distance;
+  };
+
+  /// The nearest point, the lowest index on a tie; index -1 when there are no points.
+  Neighbour nearest(const Vec3& query) const;
+
+  /// The k nearest, or all when there are fewer, by distance and then index.
+  std::vector<Neighbour> nearest(const Vec3& query, int k) const;
+
+  /// All within `radius`, by distance and then index.
+  std::vector<Neighbour> within(const Vec3& query, double radius) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace pbffd

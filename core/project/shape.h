@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/ffd/weight_cache.h"
+#include "core/mesh/io/mesh_io.h"
+#include "core/project/project.h"
+
+namespace pbffd {
+
+/// The project's mesh in its present pose, in double precision: what is exported. `gradients` stays empty
+/// where nothing moved.
+DeformedShape deformedShape(const Project& project, WeightCache& weights, const Progress& progress = {});
+
+}  // namespace pbffd

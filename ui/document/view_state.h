@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/base/types.h"
+
+#include <QByteArray>
+#include <QObject>
+
+#include <set>
+
+namespace pbffd::ui {
+
+enum class DisplayMode { shaded, wire, seeThrough };
+enum class RegionDisplay { none, selection, level };
+
+/// How the document is looked at: never undoable, saved with the project beside it.
+class ViewState : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  DisplayMode displayMode() const { return displayMode_; }
+  void setDisplayMode(DisplayMode mode);
+  RegionDisplay regions() const { return regions_; }
+  void setRegions(RegionDisplay regions);
+  bool isGridShown() const { return gridShown_; }
+  void setGridShown(bool shown);
+  bool isGhostShown() const { return ghostShown_; }
+  void setGhostShown(bool shown);
+  bool areNamesShown() const { return namesShown_; }
+  void setNamesShown(bool shown);
+  bool isOrthographic() const { return orthographic_; }
+  void setOrthographic(bool orthographic);
+
+  /// The mesh's eye in the tree.
+  bool isMeshShown() const { return meshShown_; }
+  void setMeshShown(bool shown);
+  /// A level's eye: its points are drawn while another level is edited. 1 is the coarsest.
+  bool isLevelShown(int level) const { return shownLevels_.count(level) != 0; }
+  void setLevelShown(int level, bool shown);
+  /// A point's own eye.
+  bool isPointShown(PointId point) const { return hiddenPoints_.count(point) == 0; }
+  void setPointShown(PointId point, bool shown);
+  void showAllPoints();
+  void reset();
+
+  /// For the project file's "view" object; restore() ignores what it does not know or what is malformed.
+  QByteArray toJson() const;
+  void restore(const QByteArray& json);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  DisplayMode displayMode_ = DisplayMode::wire;
+  RegionDisplay regions_ = RegionDisplay::selection;
+  bool gridShown_ = true;
+  bool ghostShown_ = false;
+  bool namesShown_ = false;
+  bool orthographic_ = false;
+  bool meshShown_ = true;
+  std::set<int> shownLevels_;
+  std::set<PointId> hiddenPoints_;
+};
+
+}  // namespace pbffd::ui

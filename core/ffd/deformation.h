@@ -17,8 +17,7 @@ Points deformExactly(const RestMesh& mesh, const ControlSet& set, const Paramete
 /// The deformation gradient at each vertex, d v' / d v, analytic: what turns normals and frames and
 /// stretches lengths. One a vertex in file order; identity at rest.
 std::vector<Mat3> deformationGradients(const RestMesh& mesh, const ControlSet& set,
-                                       const Parameterization& parameterization,
-                                       const Progress& progress = {});
+                                       const Parameterization& parameterization, const Progress& progress = {});
 
 /// The deformed mesh kept up to date for the screen, in single precision relative to `origin`, in slots
 /// (the mesh's Morton order). Positions are always re-evaluated from rest, so they cannot drift.

@@ -50,8 +50,8 @@ struct Move {
 /// Scale along `basis`, then a right-handed rotation, both about the pivot.
 struct Transform {
   PointSelection where;
-  std::optional<Vec3> pivot;  ///< none: the median of the posed centres
-  bool eachItsOwn = false;    ///< pivot "each": each point's own centre
+  std::optional<Vec3> pivot;      ///< none: the median of the posed centres
+  bool eachItsOwn = false;        ///< pivot "each": each point's own centre
   Mat3 basis = Mat3::Identity();  ///< columns: the axes of the scale
   Vec3 scale = Vec3::Ones();
   Vec3 rotationAxis = Vec3::UnitZ();

@@ -24,10 +24,10 @@ struct Project {
 /// Which parts of two values differ: what the views have to update.
 struct ProjectChanges {
   bool mesh = false;
-  bool structure = false;  ///< levels, points added or removed
-  bool rest = false;       ///< weights follow: regions, strength, enabled, reach, basis, master's value
-  bool poses = false;      ///< any pose, the master's included
-  bool attributes = false; ///< names, locks
+  bool structure = false;   ///< levels, points added or removed
+  bool rest = false;        ///< weights follow: regions, strength, enabled, reach, basis, master's value
+  bool poses = false;       ///< any pose, the master's included
+  bool attributes = false;  ///< names, locks
 
   bool any() const { return mesh || structure || rest || poses || attributes; }
 };

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What run.sh and test.sh share; they source it. Sets `project` and `build`, the folders of the sources and of
 # the release build, and defines the functions below. Nothing here changes the caller's working folder.
 

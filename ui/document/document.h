@@ -3,6 +3,7 @@
 #include "core/ffd/deformation.h"
 #include "core/project/edit.h"
 #include "core/project/project_file.h"
+#include "ui/document/edited_points.h"
 #include "ui/document/selection.h"
 
 #include <QDateTime>
@@ -16,6 +17,13 @@
 namespace pbffd::ui {
 
 class JobRunner;
+
+/// How an edit enters the history.
+struct EditOptions {
+  /// Edits of the same number, one right after the other, are one entry (a slider scrub, a run of nudges);
+  /// 0: never.
+  int mergeKey = 0;
+};
 
 /// The project that is open, its history, its selection and the deformed positions: everything that the
 /// views show and nothing of how. Views never write; they ask for edits.
@@ -45,25 +53,37 @@ class Document : public QObject {
   const QString& path() const { return path_; }
   /// "cow.pbffd", or "cow.obj" for what was never saved as a project.
   QString displayName() const;
+  /// The name of the mesh's file.
+  QString meshName() const;
   bool isModified() const { return !history_->isClean(); }
+  /// Whether nothing was edited beyond placing points: another placement loses nothing.
+  bool isPristine() const;
 
   /// Opens a mesh (and places points with `options`) or a project, off the UI thread. The open document stays
   /// until the new one is ready, and for good when it fails: `failed` then says why.
   void open(const QString& path, const PlacementOptions& options = {});
   void close();
-  /// Each returns whether it worked; `failed` says why not.
-  bool save(const QString& path, const QByteArray& thumbnailPng);
+  /// Returns whether it worked; `failed` says why not, and the file is then as it was.
+  bool save(const QString& path, const ProjectExtras& extras);
+  /// Off the UI thread; `informed` or `failed` tells the end of it.
   void exportMesh(const QString& path);
+  /// What the project file held for the views.
+  const ProjectExtras& extras() const { return extras_; }
 
   /// Applies an edit and makes it one undo entry. False, and `failed`, when it cannot be done.
-  bool perform(const Edit& edit);
+  bool perform(const Edit& edit, const EditOptions& options = {});
   /// The same off the UI thread, for edits that may take long (place). Committed only if the document
   /// still holds the value it began from. A newer one replaces a running one.
-  void performInBackground(const Edit& edit);
+  void performInBackground(const Edit& edit, const EditOptions& options = {});
+  void undo();
+  void redo();
+  /// Goes to a place in the history: 0 is its start.
+  void goTo(int place);
 
   /// A gesture: each preview applies its edit to the committed project and is only shown; commitPreview
-  /// makes the last one a single undo entry; cancelPreview drops it. False when the edit cannot be done
-  /// (what is shown then stays).
+  /// makes the last one a single undo entry; cancelPreview drops it. Of several previews in one turn of the
+  /// event loop the first and the last are applied. False when the edit cannot be done (what is shown then
+  /// stays).
   bool preview(const Edit& edit);
   void commitPreview();
   void cancelPreview();
@@ -75,6 +95,10 @@ class Document : public QObject {
   double lastMilliseconds() const { return lastMilliseconds_; }
   Index lastMovedVertices() const { return lastMovedVertices_; }
   std::shared_ptr<const Parameterization> parameterization() const { return parameterization_; }
+  /// The weights by which each level hangs on the next coarser one, as levelBindings() gives them.
+  std::shared_ptr<const std::vector<PointWeights>> bindings() const;
+  /// Of the last placement in this session; 0 before one.
+  double lastPlacementSeconds() const { return lastPlacementSeconds_; }
 
  Q_SIGNALS:
   /// Another mesh or project is open, or none.
@@ -84,19 +108,36 @@ class Document : public QObject {
   /// The name or the modified mark changed.
   void titleChanged();
   void failed(const QString& message);
+  /// Something that the user should know about what was just done.
   void remarked(const QString& message);
+  /// What was done, for the record.
+  void informed(const QString& message);
+  void placed();
 
  private:
   friend class ChangeProject;
-  struct Preview;
+  struct Opened;
 
+  static Opened read(const QString& path, const Progress& progress);
+  void adopt(const Opened& file);
   void setCommitted(const Project& project);
-  void show(const Project& before);
-  void refreshDeformation();
+  void showCommitted();
+  void show(const Project& before, bool measured);
+  void refreshDeformation(bool measured);
+  void push(const Edit& edit, const EditResult& result, const EditOptions& options);
+  bool applyPreview(const Edit& edit);
+  bool flushPreview();
+  void followSelection(const Project& before);
+  void selectEdited();
 
   Project committed_;
   std::optional<Project> preview_;
   std::optional<Edit> previewEdit_;
+  std::optional<Edit> waitingPreview_;  ///< of this turn of the event loop, not yet applied
+  bool previewedThisTurn_ = false;
+  std::optional<Project> shownBefore_;  ///< while the history moves: what was shown before it
+  std::optional<EditedPoints> edited_;  ///< while the history moves: what to select after it
+  quint64 revision_ = 0;                ///< grows with every committed value
   std::shared_ptr<EditWorkspace> workspace_;
   std::shared_ptr<const Parameterization> parameterization_;
   std::unique_ptr<LiveDeformation> deformation_;
@@ -107,6 +148,7 @@ class Document : public QObject {
   ProjectExtras extras_;
   double lastMilliseconds_ = 0.0;
   Index lastMovedVertices_ = 0;
+  double lastPlacementSeconds_ = 0.0;
 };
 
 }  // namespace pbffd::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QObject>
 #include <QString>
 
@@ -26,11 +27,15 @@ class Theme : public QObject {
   /// Throws std::out_of_range for a name that is no token (a mistake in the program).
   QColor color(const QString& token) const;
 
+  /// The interface's font: Inter where it is installed, else the desktop's; figures of one width.
+  static QFont font(int pixels, QFont::Weight weight = QFont::Normal);
+
  Q_SIGNALS:
   void changed();
 
  private:
   void load(const QString& name);
+  QString styleSheet() const;
 
   Choice choice_ = Choice::system;
   bool dark_ = true;

@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include <set>
+#include <vector>
 
 namespace pbffd::ui {
 
@@ -35,12 +36,15 @@ class ViewState : public QObject {
   /// The mesh's eye in the tree.
   bool isMeshShown() const { return meshShown_; }
   void setMeshShown(bool shown);
+  /// The control set's eye: without it no point is drawn.
+  bool areControlsShown() const { return controlsShown_; }
+  void setControlsShown(bool shown);
   /// A level's eye: its points are drawn while another level is edited. 1 is the coarsest.
   bool isLevelShown(int level) const { return shownLevels_.count(level) != 0; }
   void setLevelShown(int level, bool shown);
   /// A point's own eye.
-  bool isPointShown(PointId point) const { return hiddenPoints_.count(point) == 0; }
-  void setPointShown(PointId point, bool shown);
+  bool isPointShown(PointId point) const { return controlsShown_ && hiddenPoints_.count(point) == 0; }
+  void setPointsShown(const std::vector<PointId>& points, bool shown);
   void showAllPoints();
   void reset();
 
@@ -59,6 +63,7 @@ class ViewState : public QObject {
   bool namesShown_ = false;
   bool orthographic_ = false;
   bool meshShown_ = true;
+  bool controlsShown_ = true;
   std::set<int> shownLevels_;
   std::set<PointId> hiddenPoints_;
 };

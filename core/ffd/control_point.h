@@ -3,7 +3,6 @@
 #include "core/base/affine.h"
 #include "core/base/types.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -49,8 +48,10 @@ struct ControlPoint {
   Reach reach = Reach::connected;
   Frame rest;
   Frame pose;
-  std::array<PointId, 2> mergedFrom{0, 0};  ///< the two points of the next finer level it stands for, or 0
-  Binding binding;                          ///< unused on the coarsest level
+  /// The points of the next finer level that it stands for, ascending: one that was taken over as it was,
+  /// two that were merged, or more where merged points merged again. Empty for a point made otherwise.
+  std::vector<PointId> mergedFrom;
+  Binding binding;  ///< unused on the coarsest level
 
   AffineMap map() const { return mapBetween(rest, pose); }
   bool operator==(const ControlPoint&) const = default;

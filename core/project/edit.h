@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -74,7 +75,8 @@ struct SetRegion {
 struct Add {
   std::optional<int> level;
   Frame rest;
-  bool posed = false;  ///< the centre is given in the deformed space
+  bool defaultAxes = false;  ///< no axes given: a sphere of the size that placement would take there
+  bool posed = false;        ///< the centre is given in the deformed space
   std::optional<PointId> id;
   std::string name;
 };
@@ -157,6 +159,14 @@ struct EditResult {
 /// value and stays as it is. Throws Cancelled.
 EditResult apply(const Project& project, const Edit& edit, EditWorkspace& workspace,
                  const Progress& progress = {});
+
+/// Applies edits one after the other, as a file of edits does. Throws InvalidInput like apply(); the message
+/// then begins with the place of the edit: "edit 3 (move, at /2): there is no point 999 on level 2".
+EditResult applyAll(const Project& project, const std::vector<Edit>& edits, EditWorkspace& workspace,
+                    const Progress& progress = {});
+
+/// The edit's name in contract.md: "move", "set_pose".
+std::string_view nameOf(const Edit& edit);
 
 /// The undo text: an imperative that names what and how much ("Move 39 points by 0, 0.35, 0").
 std::string describe(const Project& before, const Edit& edit);

@@ -15,7 +15,8 @@ struct Basis {
 };
 
 /// The basis value at squared distance u^2 from the centre in region units, 1 at the centre, 0 from the
-/// border on. The same bits on every processor.
+/// border on (McDonnell & Qin, eq. (1)). The same bits on every processor: the gaussian does not use the
+/// system's exp, whose result depends on the instructions at hand.
 double basisValue(const Basis& basis, double uSquared);
 
 /// d value / d(u^2), with which the gradient needs no square root at the centre; 0 from the border on.
@@ -28,9 +29,20 @@ struct Region {
 
   explicit Region(const Frame& rest);
 
-  /// McDonnell & Qin, eq. (3).
-  Vec3 parameter(const Vec3& point) const { return toLocal * (point - center); }
-  double squaredDistance(const Vec3& point) const { return parameter(point).squaredNorm(); }
+  /// McDonnell & Qin, eq. (3). The order of the operations is spelt out, so that it gives the same bits
+  /// wherever it is compiled.
+  Vec3 parameter(const Vec3& point) const {
+    const double x = point.x() - center.x();
+    const double y = point.y() - center.y();
+    const double z = point.z() - center.z();
+    return {toLocal(0, 0) * x + toLocal(0, 1) * y + toLocal(0, 2) * z,
+            toLocal(1, 0) * x + toLocal(1, 1) * y + toLocal(1, 2) * z,
+            toLocal(2, 0) * x + toLocal(2, 1) * y + toLocal(2, 2) * z};
+  }
+  double squaredDistance(const Vec3& point) const {
+    const Vec3 u = parameter(point);
+    return u.x() * u.x() + u.y() * u.y() + u.z() * u.z();
+  }
 
   /// The half sizes of the axis-aligned box around the ellipsoid.
   Vec3 halfSizes() const { return halfSizes_; }
@@ -38,5 +50,8 @@ struct Region {
  private:
   Vec3 halfSizes_;
 };
+
+/// The inverse of orthogonal axes (columns a, b, c): rows a/|a|^2, b/|b|^2, c/|c|^2.
+Mat3 inverseOfOrthogonal(const Mat3& axes);
 
 }  // namespace pbffd

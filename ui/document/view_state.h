@@ -42,8 +42,9 @@ class ViewState : public QObject {
   /// A level's eye: its points are drawn while another level is edited. 1 is the coarsest.
   bool isLevelShown(int level) const { return shownLevels_.count(level) != 0; }
   void setLevelShown(int level, bool shown);
-  /// A point's own eye.
-  bool isPointShown(PointId point) const { return controlsShown_ && hiddenPoints_.count(point) == 0; }
+  /// A point's own eye, and whether it is drawn at all.
+  bool isPointEyeOpen(PointId point) const { return hiddenPoints_.count(point) == 0; }
+  bool isPointShown(PointId point) const { return controlsShown_ && isPointEyeOpen(point); }
   void setPointsShown(const std::vector<PointId>& points, bool shown);
   void showAllPoints();
   void reset();

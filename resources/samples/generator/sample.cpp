@@ -58,8 +58,8 @@ bool hasSingleFans(const Sample& sample) {
 }  // namespace
 
 std::string toObj(const Sample& sample) {
-  std::string text = format("# {}\n# Made by the sample generator of PB-FFD Workbench.\no {}\n", sample.about,
-                            sample.name);
+  std::string text =
+      format("# {}\n# Made by the sample generator of PB-FFD Workbench.\no {}\n", sample.about, sample.name);
   for (const auto& position : sample.positions.rowwise()) {
     text += format("v {:.6f} {:.6f} {:.6f}\n", unsignedZero(position.x()), unsignedZero(position.y()),
                    unsignedZero(position.z()));

@@ -1,14 +1,17 @@
 #include "resources/samples/generator/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace pbffd::samples {
 namespace {
 
-/// How far two limbs that meet beside the body run into each other.
-constexpr double limbBlend = 0.02;
+/// How far two limbs that meet beside their root run into each other, as a share of the root's blend.
+constexpr double limbBlend = 0.25;
+
+constexpr std::size_t maxLimbs = 32;
 
 /// The distance to two balls, the first of radius r1 about the origin, the second of radius r2 at `axis`,
 /// and the cone that touches both.
@@ -36,7 +39,7 @@ double roundConeDistance(const Vec3& point, const Vec3& axis, double r1, double 
 
 /// The lesser of the two, rounded off where they differ by less than `reach`.
 double smoothMin(double a, double b, double reach) {
-  const double h = std::max(reach - std::abs(a - b), 0.0) / reach;
+  const double h = reach > 0.0 ? std::max(reach - std::abs(a - b), 0.0) / reach : 0.0;
   return std::min(a, b) - 0.25 * h * h * reach;
 }
 
@@ -50,6 +53,32 @@ double limbDistance(const Limb& limb, const Vec3& point) {
 
 }  // namespace
 
+Limb chain(std::string name, const std::vector<Section>& sections, double root, std::string parent) {
+  constexpr int bonesASpan = 4;
+  const auto count = static_cast<std::ptrdiff_t>(sections.size());
+  const auto row = [&](std::ptrdiff_t i) {
+    const Section& section = sections[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, count - 1))];
+    return Eigen::Vector4d(section.center.x(), section.center.y(), section.center.z(), section.radius);
+  };
+  const auto at = [&](std::ptrdiff_t span, double t) -> Eigen::Vector4d {
+    const Eigen::Vector4d a = row(span - 1);
+    const Eigen::Vector4d b = row(span);
+    const Eigen::Vector4d c = row(span + 1);
+    const Eigen::Vector4d d = row(span + 2);
+    return 0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t +
+                  (3.0 * b - a - 3.0 * c + d) * t * t * t);
+  };
+  Limb limb{std::move(name), {}, 0.0, root, std::move(parent), true};
+  for (std::ptrdiff_t span = 0; span + 1 < count; ++span) {
+    for (int i = 0; i < bonesASpan; ++i) {
+      const Eigen::Vector4d from = at(span, static_cast<double>(i) / bonesASpan);
+      const Eigen::Vector4d to = at(span, static_cast<double>(i + 1) / bonesASpan);
+      limb.bones.push_back({from.head<3>(), to.head<3>(), from.w(), to.w()});
+    }
+  }
+  return limb;
+}
+
 double Bone::distance(const Vec3& point) const {
   const Vec3 direction = flatDirection.normalized();
   const double stretch = 1.0 / flatness - 1.0;
@@ -57,16 +86,24 @@ double Bone::distance(const Vec3& point) const {
   return flatness * roundConeDistance(unflattened(point - from), unflattened(to - from), fromRadius, toRadius);
 }
 
-Solid::Solid(Limb body, std::vector<Limb> limbs) : limbs_(std::move(limbs)) {
-  limbs_.insert(limbs_.begin(), std::move(body));
+Solid::Solid(std::vector<Limb> limbs) : limbs_(std::move(limbs)), parentOf_(limbs_.size(), 0) {
+  for (std::size_t l = 1; l < limbs_.size(); ++l) {
+    const auto parent = std::find_if(limbs_.begin(), limbs_.begin() + static_cast<std::ptrdiff_t>(l),
+                                     [&](const Limb& limb) { return limb.name == limbs_[l].parent; });
+    parentOf_[l] = static_cast<std::size_t>(parent - limbs_.begin());
+  }
 }
 
 double Solid::value(const Vec3& point) const {
-  const double body = limbDistance(limbs_.front(), point);
-  double distance = body;
+  std::array<double, maxLimbs> alone;
+  alone[0] = limbDistance(limbs_.front(), point);
+  double distance = alone[0];
   for (std::size_t l = 1; l < limbs_.size(); ++l) {
-    const double joined = smoothMin(body, limbDistance(limbs_[l], point), limbs_[l].root);
-    distance = smoothMin(distance, joined, std::min(limbBlend, limbs_[l].root));
+    alone[l] = limbDistance(limbs_[l], point);
+    const double parent = alone[parentOf_[l]];
+    const double joined = smoothMin(parent, alone[l], limbs_[l].root);
+    // Where the limb is far there is nothing to blend, only the parent again.
+    distance = smoothMin(distance, joined, std::min(limbBlend * limbs_[l].root, parent - joined));
   }
   if (isCut_) {
     distance = -smoothMin(-distance, point.y() - cutHeight_, cutRounding_);
@@ -107,8 +144,10 @@ Solid::Place Solid::nearestBone(const Vec3& point) const {
 
 Limb mirrored(const Limb& limb) {
   Limb other = limb;
-  if (const std::size_t at = other.name.find("left"); at != std::string::npos) {
-    other.name.replace(at, 4, "right");
+  for (std::string* name : {&other.name, &other.parent}) {
+    if (const std::size_t at = name->find("left"); at != std::string::npos) {
+      name->replace(at, 4, "right");
+    }
   }
   for (Bone& bone : other.bones) {
     bone.from.z() = -bone.from.z();

@@ -13,25 +13,37 @@ struct Bone {
   Vec3 to;
   double fromRadius = 1.0;
   double toRadius = 1.0;
-  double flatness = 1.0;         ///< thickness along `flatDirection`, as a share of what it would be round
-  Vec3 flatDirection{0, 0, 1};   ///< need not be at right angles to the bone
+  double flatness = 1.0;        ///< thickness along `flatDirection`, as a share of what it would be round
+  Vec3 flatDirection{0, 0, 1};  ///< need not be at right angles to the bone
 
   /// The distance to the surface, negative inside (not exact where it is flattened).
   double distance(const Vec3& point) const;
 };
 
-/// Bones that run into each other smoothly, and grow out of the body smoothly.
+/// Bones that run into each other smoothly, and grow smoothly out of another limb.
 struct Limb {
   std::string name;
   std::vector<Bone> bones;
-  double joint = 0.1;  ///< how far from a joint the blend of two bones reaches
-  double root = 0.1;   ///< the same where the limb meets the body
+  double joint = 0.1;          ///< how far from a joint the blend of two bones reaches; 0: none
+  double root = 0.1;           ///< the same where the limb meets the one that it grows from
+  std::string parent{"body"};  ///< the limb that it grows from; comes before it
+  bool isChain = false;        ///< each bone goes on where the last one ends
 };
 
-/// A body with limbs: limbs blend with the body, hardly with each other, so that near limbs stay apart.
+/// A place on the middle line of a limb, and how thick it is there.
+struct Section {
+  Vec3 center;
+  double radius;
+};
+
+/// A limb whose middle line and thickness run smoothly through the sections, as a chain of short bones.
+Limb chain(std::string name, const std::vector<Section>& sections, double root, std::string parent = "body");
+
+/// Limbs that blend with what they grow from, and hardly with each other, so that near limbs stay apart.
 class Solid {
  public:
-  Solid(Limb body, std::vector<Limb> limbs);
+  /// The first limb is what all others grow from in the end.
+  explicit Solid(std::vector<Limb> limbs);
 
   /// Negative inside.
   double value(const Vec3& point) const;
@@ -40,7 +52,6 @@ class Solid {
   /// Cuts off what lies below this plane, with an edge rounded by `rounding`.
   void standOn(double height, double rounding);
 
-  /// The body is limb 0.
   const std::vector<Limb>& limbs() const { return limbs_; }
   /// The limb, and of that the bone, whose surface lies nearest.
   struct Place {
@@ -51,12 +62,13 @@ class Solid {
 
  private:
   std::vector<Limb> limbs_;
+  std::vector<std::size_t> parentOf_;
   bool isCut_ = false;
   double cutHeight_ = 0.0;
   double cutRounding_ = 0.0;
 };
 
-/// The limb on the other side of the plane z = 0, with "left" in its name made "right".
+/// The limb on the other side of the plane z = 0, with "left" in its names made "right".
 Limb mirrored(const Limb& limb);
 
 }  // namespace pbffd::samples

@@ -2,6 +2,7 @@
 
 #include "resources/samples/generator/surface_net.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -27,14 +28,16 @@ Polygons cutQuads(const QuadMesh& mesh) {
   return triangles;
 }
 
-/// A bone's cylinder coordinates: x the angle in turns, y the place along the bone.
+/// A bone's cylinder coordinates: x the angle in turns, y the place along the bone, 0 to 1 on the stretch
+/// that is its own.
 class Unroller {
  public:
-  explicit Unroller(const Bone& bone) : from_(bone.from) {
+  /// The balls at the ends count where `hasStart`, `hasEnd`.
+  Unroller(const Bone& bone, bool hasStart, bool hasEnd) : from_(bone.from) {
     const Vec3 axis = bone.to - bone.from;
     along_ = axis.norm() > 1e-9 ? Vec3(axis.normalized()) : Vec3::UnitX();
-    low_ = -bone.fromRadius;
-    length_ = axis.norm() + bone.fromRadius + bone.toRadius;
+    low_ = hasStart ? -bone.fromRadius : 0.0;
+    length_ = axis.norm() - low_ + (hasEnd ? bone.toRadius : 0.0);
     // The seam runs along the side that is seen least.
     const Vec3 down = std::abs(along_.y()) < 0.9 ? Vec3(-Vec3::UnitY()) : Vec3(-Vec3::UnitX());
     seam_ = (down - along_.dot(down) * along_).normalized();
@@ -47,6 +50,8 @@ class Unroller {
     return {turns < 0.0 ? turns + 1.0 : turns, std::clamp((d.dot(along_) - low_) / length_, 0.0, 1.0)};
   }
 
+  double length() const { return length_; }
+
  private:
   Vec3 from_;
   Vec3 along_;
@@ -56,32 +61,59 @@ class Unroller {
   double length_;
 };
 
+/// Where a bone is unrolled to: a tile of the texture, and the stretch of its height.
+struct Strip {
+  Unroller unroll;
+  Index tile;
+  double bottom;
+  double top;
+};
+
+/// A chain of bones shares a tile, one above the other; any other bone has a tile of its own.
+void appendStrips(const Limb& limb, Index& tiles, std::vector<Strip>& strips) {
+  const std::size_t first = strips.size();
+  double length = 0.0;
+  for (std::size_t b = 0; b < limb.bones.size(); ++b) {
+    const bool isFirst = b == 0 || !limb.isChain;
+    const bool isLast = b + 1 == limb.bones.size() || !limb.isChain;
+    const Unroller unroll(limb.bones[b], isFirst, isLast);
+    const double bottom = isFirst ? 0.0 : length;
+    length = bottom + unroll.length();
+    strips.push_back({unroll, tiles, bottom, length});
+    tiles += isLast ? 1 : 0;
+  }
+  for (std::size_t s = first; s < strips.size(); ++s) {
+    const double whole = limb.isChain ? length : strips[s].top;
+    strips[s].bottom /= whole;
+    strips[s].top /= whole;
+  }
+}
+
 /// Gives every corner a texture coordinate in the tile of its face's bone.
 class Atlas {
  public:
   explicit Atlas(const Solid& solid) {
+    Index tiles = 0;
     for (const Limb& limb : solid.limbs()) {
-      firstTile_.push_back(static_cast<Index>(unrollers_.size()));
-      for (const Bone& bone : limb.bones) {
-        unrollers_.emplace_back(bone);
-      }
+      firstStrip_.push_back(static_cast<Index>(strips_.size()));
+      appendStrips(limb, tiles, strips_);
     }
-    tilesARow_ = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(unrollers_.size()))));
+    tilesARow_ = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(tiles))));
   }
 
   void addFace(std::span<const Index> corners, const Points& positions, const Solid::Place& place,
                Sample& sample) {
-    const Index tile = firstTile_[place.limb] + place.bone;
+    const Index strip = firstStrip_[place.limb] + place.bone;
     double first = -1.0;
     for (const Index vertex : corners) {
-      Eigen::Vector2d at = unrollers_[tile](positions.row(vertex));
+      Eigen::Vector2d at = strips_[strip].unroll(positions.row(vertex));
       if (first < 0.0) {
         first = at.x();
       }
       // All corners of a face lie on the same side of the seam as its first.
       const int turn = at.x() - first > 0.5 ? -1 : at.x() - first < -0.5 ? 1 : 0;
       at.x() += turn;
-      sample.textureOfCorner.push_back(rowOf({tile, vertex, turn}, at));
+      sample.textureOfCorner.push_back(rowOf({strip, vertex, turn}, at));
     }
   }
 
@@ -94,24 +126,22 @@ class Atlas {
   }
 
  private:
-  using Key = std::tuple<Index, Index, int>;  ///< tile, vertex, turns added
+  using Key = std::tuple<Index, Index, int>;  ///< strip, vertex, turns added
 
   Index rowOf(const Key& key, const Eigen::Vector2d& at) {
     const auto [entry, isNew] = rowOf_.emplace(key, static_cast<Index>(rows_.size()));
     if (isNew) {
-      const Index tile = std::get<0>(key);
-      const Eigen::Vector2d corner(tile % tilesARow_, tile / tilesARow_);
-      const Eigen::Vector2d inside = (tileMargin + (1.0 - 2.0 * tileMargin) * at.array())
-                                         .cwiseMax(0.0)
-                                         .cwiseMin(1.0)
-                                         .matrix();
-      rows_.push_back((corner + inside) / tilesARow_);
+      const Strip& strip = strips_[std::get<0>(key)];
+      const Eigen::Vector2d corner(strip.tile % tilesARow_, strip.tile / tilesARow_);
+      const Eigen::Array2d share(at.x(), strip.bottom + (strip.top - strip.bottom) * at.y());
+      const Eigen::Array2d inside = (tileMargin + (1.0 - 2.0 * tileMargin) * share).cwiseMax(0.0).cwiseMin(1.0);
+      rows_.push_back((corner + inside.matrix()) / tilesARow_);
     }
     return entry->second;
   }
 
-  std::vector<Unroller> unrollers_;
-  std::vector<Index> firstTile_;
+  std::vector<Strip> strips_;
+  std::vector<Index> firstStrip_;  ///< one a limb
   Index tilesARow_ = 1;
   std::map<Key, Index> rowOf_;
   std::vector<Eigen::Vector2d> rows_;

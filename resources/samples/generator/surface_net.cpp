@@ -1,5 +1,7 @@
 #include "resources/samples/generator/surface_net.h"
 
+#include "core/base/parallel.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,7 @@
 namespace pbffd::samples {
 namespace {
 
-constexpr int relaxations = 20;
+constexpr int relaxations = 15;
 
 /// The solid's values at the nodes of a grid that encloses it.
 class Grid {
@@ -25,16 +27,19 @@ class Grid {
     // The blends bulge a little beyond the bones. Half a cell off, so that z = 0 is not a plane of nodes.
     origin_ = (low.array() - 3.5 * edge).matrix();
     size_ = ((high - low) / edge).array().ceil().cast<int>() + 8;
-    origin_.z() = -(size_.z() / 2 + 0.5) * edge;
-    size_.z() = 2 * (size_.z() / 2) + 2;
-    values_.reserve(static_cast<std::size_t>(size_.prod()));
-    for (int k = 0; k < size_.z(); ++k) {
-      for (int j = 0; j < size_.y(); ++j) {
-        for (int i = 0; i < size_.x(); ++i) {
-          values_.push_back(solid.value(node({i, j, k})));
+    const int half = static_cast<int>(std::ceil(std::max(-low.z(), high.z()) / edge)) + 4;
+    origin_.z() = -(half - 0.5) * edge;
+    size_.z() = 2 * half;
+    values_.resize(static_cast<std::size_t>(size_.prod()));
+    parallelFor(static_cast<std::size_t>(size_.z()), 1, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+        for (int j = 0; j < size_.y(); ++j) {
+          for (int i = 0; i < size_.x(); ++i) {
+            values_[slot({i, j, k})] = solid.value(node({i, j, k}));
+          }
         }
       }
-    }
+    });
   }
 
   const Eigen::Array3i& size() const { return size_; }
@@ -126,15 +131,20 @@ QuadMesh netOf(const Grid& grid) {
   return mesh;
 }
 
-void moveOntoSurface(const Solid& solid, Points& positions) {
-  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
-    Vec3 point = positions.row(v);
-    for (int step = 0; step < 2; ++step) {
-      const Vec3 gradient = solid.gradient(point);
-      point -= solid.value(point) / std::max(gradient.squaredNorm(), 0.1) * gradient;
+/// One Newton step.
+Vec3 towardsSurface(const Solid& solid, const Vec3& point) {
+  const Vec3 gradient = solid.gradient(point);
+  return point - solid.value(point) / std::max(gradient.squaredNorm(), 0.1) * gradient;
+}
+
+/// Calls body(v) for every vertex, in parallel.
+template <class Body>
+void forEachVertex(const QuadMesh& mesh, const Body& body) {
+  parallelFor(static_cast<std::size_t>(mesh.positions.rows()), 64, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Eigen::Index>(begin); v < static_cast<Eigen::Index>(end); ++v) {
+      body(v);
     }
-    positions.row(v) = point;
-  }
+  });
 }
 
 /// Moves every vertex towards the mean of its neighbours, along the surface.
@@ -148,23 +158,25 @@ void relax(const Solid& solid, QuadMesh& mesh) {
       counts[quad[c]] += 2.0;
     }
   }
-  for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
+  forEachVertex(mesh, [&](Eigen::Index v) {
     const Vec3 point = mesh.positions.row(v);
     const Vec3 towards = sums.row(v).transpose() / counts[v] - point;
     const Vec3 normal = solid.gradient(point).normalized();
-    mesh.positions.row(v) = point + 0.7 * (towards - normal.dot(towards) * normal);
-  }
-  moveOntoSurface(solid, mesh.positions);
+    mesh.positions.row(v) =
+        towardsSurface(solid, point + 0.7 * (towards - normal.dot(towards) * normal)).transpose();
+  });
 }
 
 }  // namespace
 
 QuadMesh surfaceNet(const Solid& solid, double edge) {
   QuadMesh mesh = netOf(Grid(solid, edge));
-  moveOntoSurface(solid, mesh.positions);
   for (int i = 0; i < relaxations; ++i) {
     relax(solid, mesh);
   }
+  forEachVertex(mesh, [&](Eigen::Index v) {
+    mesh.positions.row(v) = towardsSurface(solid, mesh.positions.row(v)).transpose();
+  });
   return mesh;
 }
 

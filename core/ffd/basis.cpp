@@ -28,30 +28,54 @@ double portableExp(double x) {
   return std::ldexp(1.0 + (r + r * r * series), static_cast<int>(k));
 }
 
+double smooth(double uSquared) {
+  const double t = 1.0 - uSquared;
+  return uSquared < 1.0 ? t * t * t : 0.0;
+}
+
+double wendland(double uSquared) {
+  const double u = std::sqrt(uSquared);
+  const double t = 1.0 - u;
+  return uSquared < 1.0 ? t * t * (t * t) * (4.0 * u + 1.0) : 0.0;
+}
+
 double gaussian(double sigma, double uSquared) {
-  return portableExp(-0.5 * sigma * sigma * uSquared);
+  return uSquared < 1.0 ? portableExp(-0.5 * sigma * sigma * uSquared) : 0.0;
+}
+
+template <class Function>
+Lanes forEach(const Lanes& uSquared, const Function& function) {
+  Lanes values;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    values[k] = function(uSquared[k]);
+  }
+  return values;
 }
 
 }  // namespace
 
 double basisValue(const Basis& basis, double uSquared) {
-  if (!(uSquared < 1.0)) {
-    return 0.0;
-  }
   switch (basis.kernel) {
-    case Kernel::smooth: {
-      const double t = 1.0 - uSquared;
-      return t * t * t;
-    }
-    case Kernel::wendland: {
-      const double u = std::sqrt(uSquared);
-      const double t = 1.0 - u;
-      return t * t * (t * t) * (4.0 * u + 1.0);
-    }
+    case Kernel::smooth:
+      return smooth(uSquared);
+    case Kernel::wendland:
+      return wendland(uSquared);
     case Kernel::gaussian:
       return gaussian(basis.sigma, uSquared);
   }
   return 0.0;
+}
+
+Lanes basisValues(const Basis& basis, const Lanes& uSquared) {
+  switch (basis.kernel) {
+    case Kernel::smooth:
+      return forEach(uSquared, smooth);
+    case Kernel::wendland:
+      return forEach(uSquared, wendland);
+    case Kernel::gaussian:
+      return forEach(uSquared, [&](double square) { return gaussian(basis.sigma, square); });
+  }
+  return {};
 }
 
 double basisSlope(const Basis& basis, double uSquared) {

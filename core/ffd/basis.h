@@ -2,6 +2,8 @@
 
 #include "core/ffd/control_point.h"
 
+#include <array>
+
 namespace pbffd {
 
 enum class Kernel { smooth, wendland, gaussian };
@@ -18,6 +20,12 @@ struct Basis {
 /// border on (McDonnell & Qin, eq. (1)). The same bits on every processor: the gaussian does not use the
 /// system's exp, whose result depends on the instructions at hand.
 double basisValue(const Basis& basis, double uSquared);
+
+/// Sixteen numbers, one a vertex of a block.
+using Lanes = std::array<double, 16>;
+
+/// basisValue() of each, the same bits.
+Lanes basisValues(const Basis& basis, const Lanes& uSquared);
 
 /// d value / d(u^2), with which the gradient needs no square root at the centre; 0 from the border on.
 double basisSlope(const Basis& basis, double uSquared);

@@ -3,6 +3,8 @@
 #include "core/ffd/basis.h"
 #include "core/ffd/control_point.h"
 
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,6 +20,8 @@ class Level {
   const ControlPoint& operator[](Index place) const { return *points_[place]; }
 
   void append(ControlPoint point) { points_.push_back(std::make_shared<const ControlPoint>(std::move(point))); }
+  /// Appends a point of another level, shared with it.
+  void append(const Level& other, Index place) { points_.push_back(other.points_[place]); }
   void replace(Index place, ControlPoint point) {
     points_[place] = std::make_shared<const ControlPoint>(std::move(point));
   }
@@ -33,17 +37,25 @@ class Level {
 
   class Iterator {
    public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = ControlPoint;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const ControlPoint*;
+    using reference = const ControlPoint&;
+
+    Iterator() = default;
     explicit Iterator(const std::shared_ptr<const ControlPoint>* at) : at_(at) {}
-    const ControlPoint& operator*() const { return **at_; }
-    const ControlPoint* operator->() const { return at_->get(); }
+    reference operator*() const { return **at_; }
+    pointer operator->() const { return at_->get(); }
     Iterator& operator++() {
       ++at_;
       return *this;
     }
+    Iterator operator++(int) { return Iterator(at_++); }
     bool operator==(const Iterator&) const = default;
 
    private:
-    const std::shared_ptr<const ControlPoint>* at_;
+    const std::shared_ptr<const ControlPoint>* at_ = nullptr;
   };
   Iterator begin() const { return Iterator(points_.data()); }
   Iterator end() const { return Iterator(points_.data() + points_.size()); }

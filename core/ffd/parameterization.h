@@ -2,6 +2,8 @@
 
 #include "core/base/progress.h"
 #include "core/ffd/control_set.h"
+#include "core/ffd/large_array.h"
+#include "core/ffd/level_values.h"
 #include "core/mesh/rest_mesh.h"
 
 #include <cstdint>
@@ -19,16 +21,17 @@ struct Parameterization {
   static constexpr Index blockSize = 16;
 
   /// B + 1 entries: block b has entries [blockStart[b], blockStart[b + 1]).
-  std::vector<Index> blockStart;
+  std::vector<Index> blockStart{0};
   std::vector<Index> points;           ///< one an entry: the place of the control point in its level
   std::vector<std::uint16_t> members;  ///< one an entry: bit k, whether it moves the k-th vertex of the block
-  std::vector<float> weights;          ///< 16 an entry; 0 where not a member
+  LargeArray<float> weights;           ///< 16 an entry; 0 where not a member
   /// One a block: bit k, whether the master moves the k-th vertex (it does not where its own value is 0).
   std::vector<std::uint16_t> masterMembers;
   Index vertexCount = 0;
   Index pointCount = 0;
 
   Index blockCount() const { return static_cast<Index>(blockStart.size()) - 1; }
+  BlockList list(Index block) const;
 };
 
 /// Runs in parallel over points, then blocks; the result does not depend on the number of threads.
@@ -37,7 +40,7 @@ Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Ma
                               const Level& level, const Progress& progress = {});
 
 /// The vertices that control point `point` counts (contract, section 4, `reach`), ascending, with the
-/// squared distance |u|^2 of each.
+/// squared distance |u|^2 of each. Looks at every vertex: for a few points, not for all.
 struct Reached {
   std::vector<Index> vertices;
   std::vector<double> uSquared;
@@ -45,7 +48,8 @@ struct Reached {
 Reached reachedVertices(const RestMesh& mesh, const ControlPoint& point);
 
 /// The normalised weights of free points (not mesh vertices) over a level: row i = point i; the places of
-/// the control points in ascending order. A point counts as its nearest rest vertex for `reach`.
+/// the control points in ascending order. A point counts as its nearest rest vertex for `reach`; in a region
+/// that holds no vertex at all every point counts.
 struct PointWeights {
   std::vector<Index> start;     ///< N + 1 entries
   std::vector<Index> points;    ///< the control points of row i: [start[i], start[i + 1])

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/ffd/basis.h"
+#include "core/ffd/large_array.h"
+
+#include <vector>
+
+namespace pbffd {
+
+/// Points in blocks of 16, taken in an order that keeps near what is near, with a tree of boxes over the
+/// blocks: finds the few blocks that a region meets without looking at the others.
+class PointBlocks {
+ public:
+  static constexpr Index blockSize = 16;
+
+  /// order[slot] = row of `points`; block b holds slots [16 b, 16 b + 16). Keeps its own copy.
+  PointBlocks(const Points& points, const std::vector<Index>& order);
+
+  Index blockCount() const { return static_cast<Index>(coordinates_.size() / 48); }
+
+  /// |u|^2 of each point of the block, the very bits of region.squaredDistance(); not a number in the places
+  /// after the last point.
+  Lanes squaredDistances(Index block, const Region& region) const;
+
+  /// Point k of the block.
+  Vec3 point(Index block, Index k) const {
+    const double* at = &coordinates_[48 * static_cast<std::size_t>(block)];
+    return {at[k], at[blockSize + k], at[2 * blockSize + k]};
+  }
+
+  /// The blocks that may have a point in the region, ascending: all that have one, and a few more.
+  std::vector<Index> blocksNear(const Region& region) const;
+
+ private:
+  struct Box {
+    Vec3 center;
+    Vec3 half;  ///< negative for a box of nothing
+  };
+  void collect(const Region& region, std::size_t level, Index box, std::vector<Index>& found) const;
+  static bool mayMeet(const Region& region, const Box& box);
+  void fillBlock(const Points& points, const std::vector<Index>& order, std::size_t block);
+  void buildTree();
+
+  LargeArray<double> coordinates_;        ///< a block's 16 x, 16 y, 16 z
+  std::vector<std::vector<Box>> levels_;  ///< levels_[0]: the blocks; each next: eight of those below
+};
+
+}  // namespace pbffd

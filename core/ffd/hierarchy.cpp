@@ -158,11 +158,12 @@ Level coarserLevel(const Level& finer, PointId& nextId, RegionShape shape) {
 }
 
 std::vector<Level> buildLevels(const Level& finest, int levelCount, PointId& nextId, RegionShape shape) {
-  std::vector<Level> levels{finest};
-  levelCount = std::min(levelCount, greatestLevelCount(finest.size()));
-  while (static_cast<int>(levels.size()) < levelCount) {
-    bindAtRest(levels.front());
-    levels.insert(levels.begin(), coarserLevel(levels.front(), nextId, shape));
+  const int count = std::max(1, std::min(levelCount, greatestLevelCount(finest.size())));
+  std::vector<Level> levels(static_cast<std::size_t>(count));
+  levels.back() = finest;
+  for (std::size_t l = levels.size() - 1; l > 0; --l) {
+    levels[l - 1] = coarserLevel(levels[l], nextId, shape);
+    bindAtRest(levels[l]);
   }
   return levels;
 }

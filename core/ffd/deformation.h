@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/ffd/live_kernel.h"
 #include "core/ffd/parameterization.h"
 
 #include <memory>
@@ -23,13 +24,18 @@ std::vector<Mat3> deformationGradients(const RestMesh& mesh, const ControlSet& s
 /// (the mesh's Morton order). Positions are always re-evaluated from rest, so they cannot drift.
 class LiveDeformation {
  public:
+  /// At rest. Throws InvalidInput when the weights are of another number of vertices.
   LiveDeformation(std::shared_ptr<const RestMesh> mesh, std::shared_ptr<const Parameterization> weights);
+  /// With these instructions instead of the best that the processor has; InvalidInput where it has not.
+  LiveDeformation(std::shared_ptr<const RestMesh> mesh, std::shared_ptr<const Parameterization> weights,
+                  Instructions instructions);
   ~LiveDeformation();
   LiveDeformation(LiveDeformation&&) noexcept;
   LiveDeformation& operator=(LiveDeformation&&) noexcept;
 
   /// Brings positions and normals to these maps, evaluating only the blocks that a changed map touches and
-  /// the normals of the faces around them. Returns the number of vertices evaluated.
+  /// the normals of the faces around them. Returns the number of vertices evaluated. Throws InvalidInput, and
+  /// changes nothing, for another number of control points than the weights have.
   Index update(const LevelMaps& maps);
 
   /// Subtracted from every position before it became single precision: the centre of the rest bounds.
@@ -41,6 +47,10 @@ class LiveDeformation {
 
   /// 3 slots a triangle, in the order of the mesh's triangles().
   const std::vector<Index>& triangleSlots() const;
+
+  /// The bytes of weights and lists: what deforming takes beside the arrays of a mesh on the screen (rest and
+  /// deformed positions, normals, triangles).
+  std::size_t bytesOfWeights() const;
 
  private:
   struct State;

@@ -1,8 +1,12 @@
 #include "resources/samples/generator/solid.h"
 
+#include "core/base/error.h"
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pbffd::samples {
@@ -11,6 +15,7 @@ namespace {
 /// How far two limbs that meet beside their root run into each other, as a share of the root's blend.
 constexpr double limbBlend = 0.25;
 
+/// A solid is evaluated too often to allocate memory for it each time.
 constexpr std::size_t maxLimbs = 32;
 
 /// The distance to two balls, the first of radius r1 about the origin, the second of radius r2 at `axis`,
@@ -54,7 +59,7 @@ double limbDistance(const Limb& limb, const Vec3& point) {
 }  // namespace
 
 Limb chain(std::string name, const std::vector<Section>& sections, double root, std::string parent) {
-  constexpr int bonesASpan = 4;
+  constexpr int bonesASpan = 3;
   const auto count = static_cast<std::ptrdiff_t>(sections.size());
   const auto row = [&](std::ptrdiff_t i) {
     const Section& section = sections[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, count - 1))];
@@ -80,18 +85,42 @@ Limb chain(std::string name, const std::vector<Section>& sections, double root, 
 }
 
 double Bone::distance(const Vec3& point) const {
+  if (flatness == 1.0) {
+    return roundConeDistance(point - from, to - from, fromRadius, toRadius);
+  }
   const Vec3 direction = flatDirection.normalized();
   const double stretch = 1.0 / flatness - 1.0;
   const auto unflattened = [&](const Vec3& v) { return Vec3(v + stretch * v.dot(direction) * direction); };
   return flatness * roundConeDistance(unflattened(point - from), unflattened(to - from), fromRadius, toRadius);
 }
 
-Solid::Solid(std::vector<Limb> limbs) : limbs_(std::move(limbs)), parentOf_(limbs_.size(), 0) {
+Solid::Solid(std::vector<Limb> limbs)
+    : limbs_(std::move(limbs)), parentOf_(limbs_.size(), 0), isParent_(limbs_.size(), false) {
+  if (limbs_.empty() || limbs_.size() > maxLimbs) {
+    throw InvalidInput(format("A solid has 1 to {} limbs, not {}.", maxLimbs, limbs_.size()));
+  }
+  std::transform(limbs_.begin(), limbs_.end(), std::back_inserter(hulls_), hullOf);
   for (std::size_t l = 1; l < limbs_.size(); ++l) {
     const auto parent = std::find_if(limbs_.begin(), limbs_.begin() + static_cast<std::ptrdiff_t>(l),
                                      [&](const Limb& limb) { return limb.name == limbs_[l].parent; });
     parentOf_[l] = static_cast<std::size_t>(parent - limbs_.begin());
+    if (parentOf_[l] == l) {
+      throw InvalidInput(
+          format("{} grows from {}, which does not come before it.", limbs_[l].name, limbs_[l].parent));
+    }
+    isParent_[parentOf_[l]] = true;
   }
+}
+
+Solid::Hull Solid::hullOf(const Limb& limb) {
+  Hull hull{limb.bones.front().from, 0.0, 1.0};
+  for (const Bone& bone : limb.bones) {
+    const double length = (bone.to - bone.from).norm() / bone.flatness;
+    const double radius = std::max(bone.fromRadius, bone.toRadius) + limb.joint;
+    hull.radius = std::max(hull.radius, (bone.from - hull.center).norm() + length + radius);
+    hull.flatness = std::min(hull.flatness, bone.flatness);
+  }
+  return hull;
 }
 
 double Solid::value(const Vec3& point) const {
@@ -99,8 +128,12 @@ double Solid::value(const Vec3& point) const {
   alone[0] = limbDistance(limbs_.front(), point);
   double distance = alone[0];
   for (std::size_t l = 1; l < limbs_.size(); ++l) {
-    alone[l] = limbDistance(limbs_[l], point);
     const double parent = alone[parentOf_[l]];
+    if (!isParent_[l] && hulls_[l].leastDistance(point) > parent + limbs_[l].root) {
+      distance = std::min(distance, parent);
+      continue;
+    }
+    alone[l] = limbDistance(limbs_[l], point);
     const double joined = smoothMin(parent, alone[l], limbs_[l].root);
     // Where the limb is far there is nothing to blend, only the parent again.
     distance = smoothMin(distance, joined, std::min(limbBlend * limbs_[l].root, parent - joined));
@@ -112,13 +145,13 @@ double Solid::value(const Vec3& point) const {
 }
 
 Vec3 Solid::gradient(const Vec3& point) const {
-  const double step = 1e-4;
-  Vec3 gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 offset = step * Vec3::Unit(axis);
-    gradient[axis] = (value(point + offset) - value(point - offset)) / (2.0 * step);
+  // Differences towards the corners of a tetrahedron: two values fewer than along the axes.
+  constexpr double step = 1e-4;
+  Vec3 gradient = Vec3::Zero();
+  for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)}) {
+    gradient += value(point + step * corner) * corner;
   }
-  return gradient;
+  return gradient / (4.0 * step);
 }
 
 void Solid::standOn(double height, double rounding) {

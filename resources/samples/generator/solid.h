@@ -42,7 +42,8 @@ Limb chain(std::string name, const std::vector<Section>& sections, double root, 
 /// Limbs that blend with what they grow from, and hardly with each other, so that near limbs stay apart.
 class Solid {
  public:
-  /// The first limb is what all others grow from in the end.
+  /// The first limb is what all others grow from in the end. Throws InvalidInput where a limb's parent does
+  /// not come before it.
   explicit Solid(std::vector<Limb> limbs);
 
   /// Negative inside.
@@ -61,8 +62,21 @@ class Solid {
   Place nearestBone(const Vec3& point) const;
 
  private:
+  /// A ball around a limb, to see without its bones that a point is far from it.
+  struct Hull {
+    Vec3 center;
+    double radius;
+    double flatness;  ///< that of the flattest bone, by which distances are too small
+
+    /// No more than the limb's distance.
+    double leastDistance(const Vec3& point) const { return flatness * ((point - center).norm() - radius); }
+  };
+  static Hull hullOf(const Limb& limb);
+
   std::vector<Limb> limbs_;
+  std::vector<Hull> hulls_;
   std::vector<std::size_t> parentOf_;
+  std::vector<bool> isParent_;
   bool isCut_ = false;
   double cutHeight_ = 0.0;
   double cutRounding_ = 0.0;

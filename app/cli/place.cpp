@@ -1,0 +1,52 @@
+#include "app/cli/commands.h"
+#include "app/cli/output.h"
+#include "app/cli/place_options.h"
+#include "core/base/text.h"
+#include "core/mesh/io/mesh_io.h"
+#include "core/project/edit.h"
+#include "core/project/project_file.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace pbffd::cli {
+namespace {
+
+struct PlaceCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path project;
+  PlacementOptions placement;
+};
+
+void place(const PlaceCommand& command, const Progress& progress) {
+  const auto mesh = std::make_shared<const RestMesh>(readMesh(command.mesh, progress));
+  printRemarks(mesh->mesh().remarks);
+  Place edit;
+  edit.options = command.placement;
+  EditWorkspace workspace;
+  const EditResult result = apply(projectOf(mesh), edit, workspace, progress);
+  saveProject(command.project, result.project, {}, progress);
+  printRemarks(result.remarks);
+  const ControlSet& controls = result.project.controls;
+  print(format("Placed {} control points on {} levels in {}.\n", grouped(controls.finest().size()),
+               controls.levels.size(), command.project.string()));
+}
+
+}  // namespace
+
+void addPlace(CLI::App& app, Action& action) {
+  CLI::App* subcommand =
+      app.add_subcommand("place", "Place control points in and around a mesh, and make a project of both");
+  const auto command = std::make_shared<PlaceCommand>();
+  subcommand->add_option("MESH", command->mesh, "The mesh (OBJ, OFF, PLY, STL)")->required();
+  subcommand->add_option("-o,--output", command->project, "The project to write (PBFFD)")
+      ->required()
+      ->type_name("PROJECT");
+  const auto placement = addPlacementOptions(*subcommand);
+  subcommand->callback([command, placement, &action] {
+    command->placement = placement();
+    action = [command](const Progress& progress) { place(*command, progress); };
+  });
+}
+
+}  // namespace pbffd::cli

@@ -3,7 +3,7 @@
 add_library(pbffd_options INTERFACE)
 target_compile_features(pbffd_options INTERFACE cxx_std_20)
 target_compile_options(pbffd_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
   -Wimplicit-fallthrough -Wextra-semi -Werror
   # The same bits on every processor: no multiply and add is contracted into one rounding.
   -ffp-contract=off)

@@ -109,15 +109,23 @@ std::int64_t PlyBody::integer(PlyType type) {
   return static_cast<std::int64_t>(value);
 }
 
+/// Of numbers with so many bytes each; in a text a digit and a blank, but for the last.
+bool PlyBody::hasRoom(std::size_t numbers, std::size_t bytesEach) const {
+  const std::size_t left = bytesLeft();
+  return encoding_ == PlyEncoding::ascii ? numbers <= (left + 1) / 2 : numbers <= left / bytesEach;
+}
+
+std::size_t PlyBody::bytesLeft() const {
+  return input_.bytes.size() - std::min(input_.bytes.size(), byte());
+}
+
 std::size_t PlyBody::listLength(const PlyProperty& property) {
   const std::int64_t length = integer(*property.countType);
-  const std::size_t left = input_.bytes.size() - std::min(input_.bytes.size(), byte());
-  const std::size_t each = encoding_ == PlyEncoding::ascii ? 2 : sizeOf(property.type);
   if (length < 0) {
     fail(format("a list has the length {}", length));
   }
-  if (static_cast<std::size_t>(length) > (left + 1) / each) {
-    fail(format("a list has the length {}, but only {} bytes follow", length, left), adviceCutOff);
+  if (!hasRoom(static_cast<std::size_t>(length), sizeOf(property.type))) {
+    fail(format("a list has the length {}, but only {} bytes follow", length, bytesLeft()), adviceCutOff);
   }
   return static_cast<std::size_t>(length);
 }
@@ -134,10 +142,10 @@ void PlyBody::checkRoom(const PlyElement& element) const {
   for (const PlyProperty& property : element.properties) {
     each += encoding_ == PlyEncoding::ascii ? 2 : sizeOf(property.countType.value_or(property.type));
   }
-  const std::size_t left = input_.bytes.size() - std::min(input_.bytes.size(), byte());
-  if (each > 0 && element.count > (left + 1) / each) {
+  const std::size_t slack = encoding_ == PlyEncoding::ascii ? 1 : 0;
+  if (each > 0 && element.count > (bytesLeft() + slack) / each) {
     const std::string what = format("the header promises {} of the element {}, but only {} bytes follow",
-                                    element.count, inQuotes(element.name), left);
+                                    element.count, inQuotes(element.name), bytesLeft());
     if (encoding_ == PlyEncoding::ascii) {
       text_.fail(what, adviceCutOff);
     }

@@ -37,6 +37,8 @@ class PlyBody {
 
  private:
   double decode(PlyType type) const;
+  std::size_t bytesLeft() const;
+  bool hasRoom(std::size_t numbers, std::size_t bytesEach) const;
 
   const Input& input_;
   PlyEncoding encoding_;

@@ -17,5 +17,6 @@ void addInfo(CLI::App& app, Action& action);
 void addPlace(CLI::App& app, Action& action);
 void addEdit(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addBench(CLI::App& app, Action& action);
 
 }  // namespace pbffd::cli

@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   cli::addPlace(app, action);
   cli::addEdit(app, action);
   cli::addExport(app, action);
+  cli::addBench(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -56,7 +56,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> all{
       {"VTK", std::regex("vtk.*|QVTK.*"), {"ui/views/", "app/dataset/"}},
       {"Qt", std::regex("Q[A-Zt].*|q[a-z]+\\.h"), {"ui/", "app/workbench/"}},
-      {"Qhull", std::regex("libqhull.*"), {"core/mesh/voronoi.cpp"}},
+      {"Qhull", std::regex("libqhull.*"), {"core/mesh/qhull_delaunay.cpp"}},
       {"OpenMesh", std::regex("OpenMesh/.*"), {"core/mesh/topology.cpp"}},
       {"nanoflann", std::regex("nanoflann.*"), {"core/mesh/nearest.cpp"}},
       {"TBB", std::regex("(oneapi/)?tbb(/.*|\\.h)"), {"core/base/parallel.cpp"}},

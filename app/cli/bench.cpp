@@ -1,0 +1,75 @@
+#include "app/cli/commands.h"
+#include "app/cli/measurements.h"
+#include "app/cli/output.h"
+#include "app/cli/place_options.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/mesh/io/mesh_io.h"
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace pbffd::cli {
+namespace {
+
+struct BenchCommand {
+  std::filesystem::path mesh;
+  PlacementOptions placement;
+  bool asJson = false;
+};
+
+std::string jsonText(const Measurements& m) {
+  const nlohmann::ordered_json json{
+      {"vertices", m.vertices},
+      {"seconds",
+       {{"qhull", m.qhull},
+        {"assemble", m.assemble},
+        {"parameterize", m.parameterize},
+        {"deform_all", m.deformAll},
+        {"deform_one", m.deformOne},
+        {"eigen_eq7", m.eigenEq7},
+        {"triad_bytes_per_second", m.triadBytesPerSecond}}},
+      {"ratios", {{"assemble_qhull", m.assemble / m.qhull}, {"deform_bandwidth", m.deformBandwidth()}}}};
+  return json.dump() + "\n";
+}
+
+std::string row(std::string_view label, double seconds, std::string_view remark) {
+  return format("  {:<30}{:>12.3f} ms  {}\n", label, 1e3 * seconds, remark);
+}
+
+std::string tableText(const BenchCommand& command, const Measurements& m) {
+  return format("{}: {} vertices, {} control points, {:.1f} a vertex, {} threads\n", command.mesh.string(),
+                grouped(m.vertices), grouped(m.points), m.influences, threadCount()) +
+         row("Qhull on every vertex", m.qhull, "") +
+         row("Assemble the control points", m.assemble, format("{:.2f} x Qhull", m.assemble / m.qhull)) +
+         row("Parameterize the mesh", m.parameterize, format("{:.4f} x Qhull", m.parameterize / m.qhull)) +
+         row("Deform, all points moved", m.deformAll,
+             format("{:.2f} of the memory's bandwidth ({:.1f} GB/s)", m.deformBandwidth(),
+                    1e-9 * m.triadBytesPerSecond)) +
+         row("Deform, one point moved", m.deformOne, format("{:.1f} x faster", m.deformAll / m.deformOne)) +
+         row("Eq. (7) in sparse matrices", m.eigenEq7,
+             format("one thread; the deformation is {:.1f} x faster", m.eigenEq7 / m.deformAll));
+}
+
+void bench(const BenchCommand& command, const Progress& progress) {
+  const Measurements measurements = measure(readMesh(command.mesh, progress), command.placement, progress);
+  print(command.asJson ? jsonText(measurements) : tableText(command, measurements));
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Action& action) {
+  CLI::App* subcommand =
+      app.add_subcommand("bench", "Time the steps of the paper's Table 1 and the deformation on a mesh");
+  const auto command = std::make_shared<BenchCommand>();
+  subcommand->add_option("MESH", command->mesh, "The mesh (OBJ, OFF, PLY, STL)")->required();
+  subcommand->add_flag("--json", command->asJson, "Print one JSON object");
+  const auto placement = addPlacementOptions(*subcommand);
+  subcommand->callback([command, placement, &action] {
+    command->placement = placement();
+    action = [command](const Progress& progress) { bench(*command, progress); };
+  });
+}
+
+}  // namespace pbffd::cli

@@ -38,6 +38,11 @@ class LiveDeformation {
   /// changes nothing, for another number of control points than the weights have.
   Index update(const LevelMaps& maps);
 
+  /// update() in its two halves, for a caller that leaves normals for later: positions alone, and then the
+  /// normals around all that moved since.
+  Index updatePositions(const LevelMaps& maps);
+  void updateNormals();
+
   /// Subtracted from every position before it became single precision: the centre of the rest bounds.
   const Vec3& origin() const;
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -80,6 +81,7 @@ struct LiveDeformation::State {
   std::vector<float> positions;
   std::vector<float> normals;
   std::array<float, 48> lastPositions{};
+  std::vector<Index> withOldNormals;  ///< blocks evaluated since the normals were, ascending
 
   State(std::shared_ptr<const RestMesh> itsMesh, std::shared_ptr<const Parameterization> itsWeights,
         LiveKernel itsKernel)
@@ -98,12 +100,12 @@ struct LiveDeformation::State {
     maps.points.assign(static_cast<std::size_t>(weights->pointCount), identityMap());
     maps.master = identityMap();
     evaluate(allBlocks(slots.blockCount()));
+    turnNormals();
   }
 
   std::vector<Index> blocksToEvaluate(const LevelMaps& next) const;
   void evaluate(const std::vector<Index>& blocks);
-  void deform(const std::vector<Index>& blocks);
-  void turnNormals(const std::vector<Index>& blocks);
+  void turnNormals();
   LivePass pass();
 };
 
@@ -148,7 +150,7 @@ LivePass LiveDeformation::State::pass() {
           isLastFull ? -1 : slots.blockCount() - 1};
 }
 
-void LiveDeformation::State::deform(const std::vector<Index>& blocks) {
+void LiveDeformation::State::evaluate(const std::vector<Index>& blocks) {
   const LivePass arrays = pass();
   parallelFor(blocks.size(), blockGrain,
               [&](std::size_t begin, std::size_t end) { kernel(arrays, blocks.data() + begin, end - begin); });
@@ -157,21 +159,25 @@ void LiveDeformation::State::deform(const std::vector<Index>& blocks) {
     std::copy_n(lastPositions.begin(), positions.size() - first,
                 positions.begin() + static_cast<std::ptrdiff_t>(first));
   }
+  if (withOldNormals.empty() || blocks.size() == static_cast<std::size_t>(slots.blockCount())) {
+    withOldNormals = blocks;
+  } else {
+    std::vector<Index> both;
+    std::set_union(withOldNormals.begin(), withOldNormals.end(), blocks.begin(), blocks.end(),
+                   std::back_inserter(both));
+    withOldNormals = std::move(both);
+  }
 }
 
-void LiveDeformation::State::turnNormals(const std::vector<Index>& blocks) {
-  const bool isAll = blocks.size() == static_cast<std::size_t>(slots.blockCount());
-  const std::vector<Index> around = isAll ? blocks : slots.blocksAround(blocks);
+void LiveDeformation::State::turnNormals() {
+  const bool isAll = withOldNormals.size() == static_cast<std::size_t>(slots.blockCount());
+  const std::vector<Index> around = isAll ? std::move(withOldNormals) : slots.blocksAround(withOldNormals);
+  withOldNormals.clear();
   parallelFor(around.size(), blockGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       slots.writeNormals(around[i], positions, normals);
     }
   });
-}
-
-void LiveDeformation::State::evaluate(const std::vector<Index>& blocks) {
-  deform(blocks);
-  turnNormals(blocks);
 }
 
 LiveDeformation::LiveDeformation(std::shared_ptr<const RestMesh> mesh,
@@ -200,6 +206,16 @@ LiveDeformation::LiveDeformation(LiveDeformation&&) noexcept = default;
 LiveDeformation& LiveDeformation::operator=(LiveDeformation&&) noexcept = default;
 
 Index LiveDeformation::update(const LevelMaps& maps) {
+  const Index evaluated = updatePositions(maps);
+  updateNormals();
+  return evaluated;
+}
+
+void LiveDeformation::updateNormals() {
+  state_->turnNormals();
+}
+
+Index LiveDeformation::updatePositions(const LevelMaps& maps) {
   if (maps.points.size() != state_->maps.points.size()) {
     throw InvalidInput(
         fmt::format("The mesh cannot be deformed: its weights are of {} control points, but there are {}. "

@@ -75,6 +75,8 @@ class Document : public QObject {
   /// The same off the UI thread, for edits that may take long (place). Committed only if the document
   /// still holds the value it began from. A newer one replaces a running one.
   void performInBackground(const Edit& edit, const EditOptions& options = {});
+  /// A number for EditOptions::mergeKey that no edit has used.
+  int newMergeKey() { return ++lastMergeKey_; }
   void undo();
   void redo();
   /// Goes to a place in the history: 0 is its start.
@@ -149,6 +151,7 @@ class Document : public QObject {
   double lastMilliseconds_ = 0.0;
   Index lastMovedVertices_ = 0;
   double lastPlacementSeconds_ = 0.0;
+  int lastMergeKey_ = 0;
 };
 
 }  // namespace pbffd::ui

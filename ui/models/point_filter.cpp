@@ -13,7 +13,7 @@ QString translated(const char* text) {
 
 bool fits(const ControlPoint& point, const QString& word) {
   if (word.startsWith("kind:")) {
-    return kindName(point.kind).startsWith(word.mid(5), Qt::CaseInsensitive);
+    return kindTitle(point.kind).startsWith(word.mid(5), Qt::CaseInsensitive);
   }
   if (word == "disabled") {
     return !point.enabled;
@@ -29,7 +29,7 @@ bool fits(const ControlPoint& point, const QString& word) {
 
 }  // namespace
 
-QString kindName(PointKind kind) {
+QString kindTitle(PointKind kind) {
   switch (kind) {
     case PointKind::interior:
       return translated("Interior");

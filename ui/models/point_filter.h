@@ -8,7 +8,7 @@
 namespace pbffd::ui {
 
 /// The English name of a kind, as the tree and the filter say it: "Interior".
-QString kindName(PointKind kind);
+QString kindTitle(PointKind kind);
 
 /// The icon of a kind's glyph and the token of its colour.
 QString kindIcon(PointKind kind);

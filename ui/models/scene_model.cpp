@@ -255,7 +255,7 @@ QString SceneModel::nameOf(const Place& place) const {
       return tr("Level %1").arg(place.level + 1) + suffix;
     }
     case Row::group:
-      return kindName(place.kind);
+      return kindTitle(place.kind);
     case Row::point:
       break;
   }

@@ -1,0 +1,162 @@
+#include "ui/controllers/point_commands.h"
+
+#include "ui/controllers/actions.h"
+#include "ui/document/document.h"
+#include "ui/document/view_state.h"
+
+#include <algorithm>
+#include <functional>
+#include <unordered_set>
+
+namespace pbffd::ui {
+
+PointCommands::PointCommands(Actions& actions, Document& document, ViewState& view, QObject* parent)
+    : QObject(parent), document_(document), view_(view) {
+  connectSelection(actions);
+  connectEdits(actions);
+  connectView(actions);
+}
+
+const Level& PointCommands::level() const {
+  return document_.shown().controls.levels[static_cast<std::size_t>(document_.editLevel())];
+}
+
+PointSelection PointCommands::selected() const {
+  return {document_.selection().level(), document_.selection().points()};
+}
+
+void PointCommands::selectWhere(const std::function<bool(const ControlPoint&)>& fits) {
+  std::vector<PointId> points;
+  for (const ControlPoint& point : level()) {
+    if (!point.locked && view_.isPointShown(point.id) && fits(point)) {
+      points.push_back(point.id);
+    }
+  }
+  document_.selection().replace(std::move(points));
+}
+
+void PointCommands::connectSelection(Actions& actions) {
+  Selection& selection = document_.selection();
+  const auto on = [&](ActionId id, auto&& does) { connect(actions[id], &QAction::triggered, this, does); };
+  on(ActionId::selectAll, [this] { selectWhere([](const ControlPoint&) { return true; }); });
+  on(ActionId::selectNone, [&selection] { selection.clear(); });
+  on(ActionId::selectInverse, [this, &selection] {
+    const std::unordered_set<PointId> present(selection.points().begin(), selection.points().end());
+    selectWhere([&](const ControlPoint& point) { return !present.contains(point.id); });
+  });
+  on(ActionId::selectMoved,
+     [this] { selectWhere([](const ControlPoint& point) { return !(point.pose == point.rest); }); });
+  on(ActionId::selectDisabled,
+     [this] { selectWhere([](const ControlPoint& point) { return !point.enabled; }); });
+  on(ActionId::selectChildren, [this] { selectRelated(1); });
+  on(ActionId::selectParents, [this] { selectRelated(-1); });
+  on(ActionId::levelUp, [this] { moveLevel(-1); });
+  on(ActionId::levelDown, [this] { moveLevel(1); });
+  on(ActionId::nextPoint, [this] { step(1); });
+  on(ActionId::previousPoint, [this] { step(-1); });
+  for (int number = 1; number <= 9; ++number) {
+    on(static_cast<ActionId>(static_cast<int>(ActionId::level1) + number - 1),
+       [&selection, number] { selection.setLevel(number); });
+  }
+}
+
+void PointCommands::connectEdits(Actions& actions) {
+  const auto on = [&](ActionId id, auto&& does) { connect(actions[id], &QAction::triggered, this, does); };
+  on(ActionId::removePoints, [this] { document_.perform(Remove{selected()}); });
+  on(ActionId::enablePoints, [this] { document_.perform(Enable{selected(), true}); });
+  on(ActionId::disablePoints, [this] { document_.perform(Enable{selected(), false}); });
+  on(ActionId::lockPoints, [this] { document_.perform(Lock{selected(), true}); });
+  on(ActionId::unlockPoints, [this] { document_.perform(Lock{selected(), false}); });
+  on(ActionId::resetAll, [this] { document_.perform(Reset{}); });
+  on(ActionId::poseToRest, [this] { poseToRest(); });
+}
+
+void PointCommands::connectView(Actions& actions) {
+  const auto on = [&](ActionId id, auto&& does) { connect(actions[id], &QAction::triggered, this, does); };
+  on(ActionId::hidePoints, [this] { view_.setPointsShown(document_.selection().points(), false); });
+  on(ActionId::showAllPoints, [this] { view_.showAllPoints(); });
+  on(ActionId::showOnlySelected, [this] {
+    std::vector<PointId> others;
+    for (const ControlPoint& point : level()) {
+      if (!document_.selection().contains(point.id)) {
+        others.push_back(point.id);
+      }
+    }
+    view_.setPointsShown(others, false);
+  });
+  on(ActionId::displayShaded, [this] { view_.setDisplayMode(DisplayMode::shaded); });
+  on(ActionId::displayWire, [this] { view_.setDisplayMode(DisplayMode::wire); });
+  on(ActionId::displaySeeThrough, [this] { view_.setDisplayMode(DisplayMode::seeThrough); });
+  on(ActionId::showGhost, [this] { view_.setGhostShown(!view_.isGhostShown()); });
+  on(ActionId::showGrid, [this] { view_.setGridShown(!view_.isGridShown()); });
+  on(ActionId::showRegions, [this] {
+    const bool all = view_.regions() == RegionDisplay::level;
+    view_.setRegions(all ? RegionDisplay::selection : RegionDisplay::level);
+  });
+  on(ActionId::orthographic, [this] { view_.setOrthographic(!view_.isOrthographic()); });
+}
+
+void PointCommands::moveLevel(int by) {
+  const int levels = static_cast<int>(document_.shown().controls.levels.size());
+  document_.selection().setLevel(std::clamp(document_.selection().level() + by, 1, levels));
+}
+
+/// The points of the next finer level (1) that the selected ones were merged from, or those of the next
+/// coarser one (-1) that were merged from them; the edit level changes with the selection.
+void PointCommands::selectRelated(int levelStep) {
+  const auto& levels = document_.shown().controls.levels;
+  const int target = document_.selection().level() + levelStep;
+  if (target < 1 || target > static_cast<int>(levels.size())) {
+    return;
+  }
+  const std::unordered_set<PointId> present(document_.selection().points().begin(),
+                                            document_.selection().points().end());
+  const Level& coarser = levels[static_cast<std::size_t>(std::min(target, target - levelStep) - 1)];
+  std::vector<PointId> related;
+  for (const ControlPoint& parent : coarser) {
+    for (const PointId child : parent.mergedFrom) {
+      if (levelStep > 0 && child != 0 && present.contains(parent.id)) {
+        related.push_back(child);
+      } else if (levelStep < 0 && present.contains(child) && (related.empty() || related.back() != parent.id)) {
+        related.push_back(parent.id);
+      }
+    }
+  }
+  document_.selection().setLevel(target);
+  document_.selection().replace(std::move(related));
+}
+
+/// Goes through the points in the order of their level, around at the end.
+void PointCommands::step(int by) {
+  std::vector<PointId> ids;
+  for (const ControlPoint& point : level()) {
+    if (!point.locked && view_.isPointShown(point.id)) {
+      ids.push_back(point.id);
+    }
+  }
+  if (ids.empty()) {
+    return;
+  }
+  const auto found = std::find(ids.begin(), ids.end(), document_.selection().active());
+  const auto count = static_cast<std::ptrdiff_t>(ids.size());
+  const std::ptrdiff_t at = found == ids.end() ? (by > 0 ? -1 : count) : found - ids.begin();
+  document_.selection().replace({ids[static_cast<std::size_t>((at + by + count) % count)]});
+}
+
+void PointCommands::poseToRest() {
+  Group group;
+  for (const PointId id : document_.selection().points()) {
+    if (const auto place = level().find(id); place && !(level()[*place].pose == level()[*place].rest)) {
+      group.edits.push_back(SetPose{document_.selection().level(), id, level()[*place].rest});
+    }
+  }
+  if (group.edits.empty()) {
+    return;
+  }
+  const auto count = static_cast<int>(group.edits.size());
+  group.text = (count == 1 ? tr("Move 1 point back to rest") : tr("Move %1 points back to rest").arg(count))
+                   .toStdString();
+  document_.perform(group);
+}
+
+}  // namespace pbffd::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QTreeView>
+
+#include <functional>
+#include <map>
+#include <tuple>
+
+namespace pbffd::ui {
+
+class Document;
+class SceneModel;
+class Theme;
+
+/// The tree of the scene dock: its selection and the document's are one; rows are drawn on amber where
+/// selected and on teal where they are the edit level.
+class SceneTree : public QTreeView {
+  Q_OBJECT
+
+ public:
+  SceneTree(SceneModel& model, Document& document, const Theme& theme, QWidget* parent = nullptr);
+
+  void renameCurrent();
+
+ Q_SIGNALS:
+  void menuAsked(const QPoint& globalPosition);
+
+ protected:
+  void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void drawBranches(QPainter* painter, const QRect& rect, const QModelIndex& index) const override;
+  QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                       const QEvent* event) const override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  using RowKey = std::tuple<int, int, int>;  ///< row, level, kind
+
+  static RowKey keyOf(const QModelIndex& index);
+  void rememberExpansion();
+  void restoreExpansion();
+  void forEachBranch(const std::function<void(const QModelIndex&)>& visit) const;
+  void takeSelection();
+  void showSelection();
+
+  SceneModel& model_;
+  Document& document_;
+  const Theme& theme_;
+  std::map<RowKey, bool> isExpandedBefore_;
+  bool isSynchronizing_ = false;
+};
+
+}  // namespace pbffd::ui

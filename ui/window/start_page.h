@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+
+#include <map>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace pbffd::ui {
+
+class Actions;
+class DropArea;
+class RecentFiles;
+class SampleCard;
+class SamplePictures;
+class Theme;
+
+/// What is seen while nothing is open: open buttons, recent files, a place to drop a file on, the samples,
+/// three steps.
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  StartPage(const Actions& actions, RecentFiles& recent, const Theme& theme, QWidget* parent = nullptr);
+
+  /// How the drop area looks while a file is dragged over the window. A reason says why it is refused.
+  void showDrag(bool isOver, const QString& reason);
+
+ Q_SIGNALS:
+  void openAsked(const QString& path);
+
+ private:
+  QWidget* makeSide(const Actions& actions);
+  QWidget* makeMain();
+  QLayout* makeTitle();
+  QLayout* makeSteps();
+  void addSamples(QGridLayout& grid);
+  void showRecent();
+
+  RecentFiles& recent_;
+  const Theme& theme_;
+  QPushButton* openMesh_ = nullptr;
+  QWidget* recentBlock_ = nullptr;
+  QVBoxLayout* recentRows_ = nullptr;
+  DropArea* drop_ = nullptr;
+  SamplePictures* pictures_;
+  std::map<QString, SampleCard*> cards_;
+};
+
+}  // namespace pbffd::ui

@@ -2,100 +2,46 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/ffd/decimation.h"
 #include "core/ffd/frame_checks.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pbffd {
 namespace {
 
-/// Points that are merged pair by pair, the closest pair first. Each point remembers its nearest neighbour,
-/// so that a merge costs one pass over the points and a few searches.
-class PairMerger {
- public:
-  PairMerger(const Level& finer, RegionShape shape) : shape_(shape) {
-    for (const ControlPoint& point : finer) {
-      groups_.push_back({point.rest, {point.id}, point.reach == Reach::all});
-    }
-    nearest_.resize(groups_.size());
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      findNearest(i);
-    }
-    alive_ = groups_.size();
-  }
-
-  struct Group {
-    Frame rest;
-    std::vector<PointId> members;  ///< empty: merged into another
-    bool reachesAll = false;       ///< whether every member does
-  };
-
-  std::size_t alive() const { return alive_; }
-  const std::vector<Group>& groups() const { return groups_; }
-
-  void mergeClosest() {
-    std::size_t first = groups_.size();
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      if (isAlive(i) && (first == groups_.size() || nearest_[i].squared < nearest_[first].squared)) {
-        first = i;
-      }
-    }
-    // The lowest place of the closest pair was found first, so its partner lies behind it.
-    const std::size_t second = nearest_[first].place;
-    Group& kept = groups_[first];
-    Group& gone = groups_[second];
-    kept.rest = enclosingRegion(kept.rest, gone.rest, shape_);
-    kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
-    kept.reachesAll = kept.reachesAll && gone.reachesAll;
-    gone.members.clear();
-    --alive_;
-    refreshNeighbours(first, second);
-  }
-
- private:
-  struct Nearest {
-    double squared = std::numeric_limits<double>::infinity();
-    std::size_t place = 0;
-  };
-
-  bool isAlive(std::size_t i) const { return !groups_[i].members.empty(); }
-
-  double squaredDistance(std::size_t i, std::size_t j) const {
-    return (groups_[i].rest.center - groups_[j].rest.center).squaredNorm();
-  }
-
-  void findNearest(std::size_t i) {
-    nearest_[i] = {};
-    for (std::size_t j = 0; j < groups_.size(); ++j) {
-      if (j != i && isAlive(j) && squaredDistance(i, j) < nearest_[i].squared) {
-        nearest_[i] = {squaredDistance(i, j), j};
-      }
-    }
-  }
-
-  void refreshNeighbours(std::size_t merged, std::size_t gone) {
-    findNearest(merged);
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      if (i == merged || !isAlive(i)) {
-        continue;
-      }
-      if (nearest_[i].place == merged || nearest_[i].place == gone) {
-        findNearest(i);
-        continue;
-      }
-      const double squared = squaredDistance(i, merged);
-      if (squared < nearest_[i].squared || (squared == nearest_[i].squared && merged < nearest_[i].place)) {
-        nearest_[i] = {squared, merged};
-      }
-    }
-  }
-
-  RegionShape shape_;
-  std::vector<Group> groups_;
-  std::vector<Nearest> nearest_;
-  std::size_t alive_ = 0;
+/// A point of the coarser level in the making.
+struct Group {
+  Frame rest;
+  std::vector<PointId> members;  ///< of the finer level
+  bool reachesAll = false;       ///< whether every member does
 };
+
+void absorb(Group& kept, const Group& gone, RegionShape shape) {
+  kept.rest = enclosingRegion(kept.rest, gone.rest, shape);
+  kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
+  kept.reachesAll = kept.reachesAll && gone.reachesAll;
+}
+
+Points restCentres(const Level& level) {
+  Points centres(level.size(), 3);
+  for (Index i = 0; i < level.size(); ++i) {
+    centres.row(i) = level[i].rest.center;
+  }
+  return centres;
+}
+
+ControlPoint mergedPoint(PointId id, Group group) {
+  ControlPoint point;
+  point.id = id;
+  point.kind = PointKind::merged;
+  point.reach = group.reachesAll ? Reach::all : Reach::connected;
+  point.rest = group.rest;
+  point.pose = group.rest;
+  point.mergedFrom = std::move(group.members);
+  std::sort(point.mergedFrom.begin(), point.mergedFrom.end());
+  return point;
+}
 
 void bindAtRest(Level& level) {
   for (Index i = 0; i < level.size(); ++i) {
@@ -135,24 +81,17 @@ int greatestLevelCount(Index finestCount) {
 }
 
 Level coarserLevel(const Level& finer, PointId& nextId, RegionShape shape) {
-  PairMerger merger(finer, shape);
-  while (merger.alive() > static_cast<std::size_t>(finer.size() / 2)) {
-    merger.mergeClosest();
+  std::vector<Group> groups;
+  for (const ControlPoint& point : finer) {
+    groups.push_back({point.rest, {point.id}, point.reach == Reach::all});
+  }
+  const MergedPoints merged = mergeClosestPairs(restCentres(finer), finer.size() / 2);
+  for (const Merge& merge : merged.merges) {
+    absorb(groups[merge.kept], groups[merge.gone], shape);
   }
   Level level;
-  for (const PairMerger::Group& group : merger.groups()) {
-    if (group.members.empty()) {
-      continue;
-    }
-    ControlPoint point;
-    point.id = nextId++;
-    point.kind = PointKind::merged;
-    point.reach = group.reachesAll ? Reach::all : Reach::connected;
-    point.rest = group.rest;
-    point.pose = group.rest;
-    point.mergedFrom = group.members;
-    std::sort(point.mergedFrom.begin(), point.mergedFrom.end());
-    level.append(std::move(point));
+  for (const Index place : merged.places) {
+    level.append(mergedPoint(nextId++, std::move(groups[place])));
   }
   return level;
 }

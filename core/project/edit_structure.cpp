@@ -34,7 +34,7 @@ Mat3 usualAxes(const Project& project, const Level& level, const Vec3& center) {
 Vec3 restPlace(const EditScope& scope, const Vec3& posed) {
   const Project& before = scope.before;
   const DeformedShape shape = deformedShape(before, scope.workspace.weights, scope.progress);
-  const auto place = restPlaceOf(posed, *before.mesh, before.controls, shape.positions);
+  const auto place = restPlaceOf(posed, before.mesh, before.controls, shape.positions, scope.progress);
   if (!place) {
     throw InvalidInput(
         format("the deformation leads no place of the rest shape to {:.6g}, {:.6g}, {:.6g}; "

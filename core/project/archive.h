@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pbffd {
+
+/// One member of a ZIP archive. A folder's name ends in '/'.
+struct ArchiveMember {
+  std::string name;
+  std::string bytes;
+  bool compressed = true;  ///< stored by deflate, else as it is
+};
+
+/// A ZIP archive in memory, its members in order: the only user of libzip.
+struct Archive {
+  std::vector<ArchiveMember> members;
+
+  /// The first of that name; nullptr for none.
+  const ArchiveMember* find(const std::string& name) const;
+};
+
+/// Reads a whole archive. Throws IoError, or InvalidInput that names the file, the member and what is wrong:
+/// no archive, cut off, a member that is damaged, encrypted, or larger unpacked than any project.
+Archive readArchive(const std::filesystem::path& path, const Progress& progress = {});
+
+/// The archive's bytes; the same for the same members. Throws IoError, Cancelled.
+std::string encodeArchive(const Archive& archive, const Progress& progress = {});
+
+}  // namespace pbffd

@@ -1,0 +1,208 @@
+#include "core/project/control_json.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/project/edit_scope.h"
+
+#include <unordered_set>
+
+namespace pbffd {
+namespace {
+
+std::string_view wordOf(PointKind kind) {
+  switch (kind) {
+    case PointKind::interior:
+      return "interior";
+    case PointKind::exterior:
+      return "exterior";
+    case PointKind::manual:
+      return "manual";
+    case PointKind::merged:
+      return "merged";
+    case PointKind::curve:
+      return "curve";
+  }
+  return "manual";
+}
+
+PointKind kindFrom(const JsonReader& reader) {
+  return reader.word<PointKind>({{"interior", PointKind::interior},
+                                 {"exterior", PointKind::exterior},
+                                 {"manual", PointKind::manual},
+                                 {"merged", PointKind::merged},
+                                 {"curve", PointKind::curve}});
+}
+
+Json pointToJson(const ControlPoint& point, bool isBound) {
+  Json json = {{"id", point.id},
+               {"name", point.name},
+               {"kind", wordOf(point.kind)},
+               {"enabled", point.enabled},
+               {"locked", point.locked},
+               {"strength", point.strength},
+               {"reach", pbffd::wordOf(point.reach)},
+               {"rest", toJson(point.rest)},
+               {"pose", toJson(point.pose)}};
+  if (!point.mergedFrom.empty()) {
+    json["merged_from"] = point.mergedFrom;
+  }
+  if (isBound) {
+    json["binding"] = {{"at", toJson(point.binding.at)}, {"local", toJson(point.binding.local)}};
+  }
+  return json;
+}
+
+template <class Check>
+Frame checkedFrame(const JsonReader& reader, const Check& check) {
+  const Frame frame = reader.frame();
+  try {
+    check(frame);
+  } catch (const InvalidInput& error) {
+    reader.fail(error.what());
+  }
+  return frame;
+}
+
+double positiveNumber(const JsonReader& reader) {
+  const double number = reader.number();
+  if (!(number > 0.0)) {
+    reader.fail("it must be above 0");
+  }
+  return number;
+}
+
+std::vector<PointId> membersFrom(const JsonReader& reader) {
+  std::vector<PointId> members;
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    // 0 names no point.
+    if (const PointId id = reader.element(i).integer(0, greatestPointId); id != 0) {
+      members.push_back(id);
+    }
+  }
+  return members;
+}
+
+ControlPoint pointFrom(const JsonReader& reader, bool isBound) {
+  const auto read = [&](const char* key, auto& value, const auto& from) {
+    if (reader.has(key)) {
+      value = from(reader.at(key));
+    }
+  };
+  const auto boolean = [](const JsonReader& one) { return one.boolean(); };
+  ControlPoint point;
+  point.id = reader.at("id").identifier();
+  read("name", point.name, [](const JsonReader& one) { return one.string(); });
+  read("kind", point.kind, kindFrom);
+  read("enabled", point.enabled, boolean);
+  read("locked", point.locked, boolean);
+  read("strength", point.strength, positiveNumber);
+  read("reach", point.reach, reachFrom);
+  read("merged_from", point.mergedFrom, membersFrom);
+  point.rest = checkedFrame(reader.at("rest"), requireRest);
+  point.pose = checkedFrame(reader.at("pose"), requirePose);
+  if (isBound) {
+    if (!reader.has("binding")) {
+      reader.fail(format(
+          "the levels do not fit together: point {} has no \"binding\" to the next coarser level", point.id));
+    }
+    const JsonReader binding = reader.at("binding");
+    point.binding = {binding.at("at").vector(), binding.at("local").map()};
+  }
+  return point;
+}
+
+Master masterFrom(const JsonReader& reader) {
+  Master master;
+  master.value = reader.at("value").number();
+  if (master.value < 0.0) {
+    reader.at("value").fail("it must be 0 or more");
+  }
+  master.mode = masterModeFrom(reader.at("mode"));
+  master.rest = checkedFrame(reader.at("rest"), requireRest);
+  master.pose = checkedFrame(reader.at("pose"), requirePose);
+  return master;
+}
+
+Basis basisFrom(const JsonReader& reader) {
+  Basis basis;
+  basis.kernel = kernelFrom(reader.at("kernel"));
+  if (reader.has("sigma")) {
+    basis.sigma = positiveNumber(reader.at("sigma"));
+  }
+  return basis;
+}
+
+void requireUniqueIds(const std::vector<Level>& levels, const JsonReader& reader) {
+  std::unordered_set<PointId> seen;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    for (Index i = 0; i < levels[l].size(); ++i) {
+      if (!seen.insert(levels[l][i].id).second) {
+        reader.element(l).at("points").element(i).fail(
+            format("the identifier {} is used twice", levels[l][i].id));
+      }
+    }
+  }
+}
+
+void requireFit(const std::vector<Level>& levels, const JsonReader& reader) {
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    if (levels[l].empty() && levels.size() > 1) {
+      reader.element(l).fail(format("the levels do not fit together: level {} has no points", l + 1));
+    }
+    for (Index i = 0; i < levels[l].size(); ++i) {
+      for (const PointId member : levels[l][i].mergedFrom) {
+        if (l + 1 == levels.size() || !levels[l + 1].find(member)) {
+          reader.element(l)
+              .at("points")
+              .element(i)
+              .at("merged_from")
+              .fail(format("the levels do not fit together: point {} is not on the next finer level", member));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Json controlsToJson(const ControlSet& set) {
+  Json levels = Json::array();
+  for (std::size_t l = 0; l < set.levels.size(); ++l) {
+    Json points = Json::array();
+    for (const ControlPoint& point : set.levels[l]) {
+      points.push_back(pointToJson(point, l > 0));
+    }
+    levels.push_back({{"points", std::move(points)}});
+  }
+  return {{"basis", {{"kernel", pbffd::wordOf(set.basis.kernel)}, {"sigma", set.basis.sigma}}},
+          {"master",
+           {{"value", set.master.value},
+            {"mode", pbffd::wordOf(set.master.mode)},
+            {"rest", toJson(set.master.rest)},
+            {"pose", toJson(set.master.pose)}}},
+          {"levels", std::move(levels)}};
+}
+
+ControlSet controlsFrom(const JsonReader& document) {
+  ControlSet set;
+  set.basis = basisFrom(document.at("basis"));
+  set.master = masterFrom(document.at("master"));
+  const JsonReader levels = document.at("levels");
+  if (levels.size() == 0) {
+    levels.fail("there must be at least one level");
+  }
+  set.levels.clear();
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const JsonReader points = levels.element(l).at("points");
+    Level level;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      level.append(pointFrom(points.element(i), l > 0));
+    }
+    set.levels.push_back(std::move(level));
+  }
+  requireUniqueIds(set.levels, levels);
+  requireFit(set.levels, levels);
+  return set;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/ffd/control_point.h"
+#include "core/mesh/rest_mesh.h"
+
+#include <vector>
+
+namespace pbffd {
+
+/// What growCoverage() did.
+struct Coverage {
+  Index grown = 0;      ///< regions that were made larger
+  Index uncovered = 0;  ///< vertices of faces that still no region reaches
+};
+
+/// Makes regions larger until each reaches a vertex and each vertex that has a face is reached by one
+/// (McDonnell & Qin, 3.2.2: no vertex under the master alone). Of all regions the one that needs to grow
+/// least takes a vertex in; it is grown until the vertex lies at 0.8 of its way to the border. `reach`
+/// counts: a region may have to grow until the vertex is joined to it along the surface. Throws Cancelled.
+Coverage growCoverage(std::vector<ControlPoint>& points, const RestMesh& mesh, const Progress& progress);
+
+}  // namespace pbffd

@@ -1,0 +1,70 @@
+#include "core/ffd/point_pool.h"
+
+#include "core/ffd/decimation.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace pbffd {
+namespace {
+
+/// A pair across a wall counts as if it were twice as far apart.
+constexpr double wallFactor = 4.0;
+
+MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
+  MergeRules rules;
+  if (static_cast<Index>(std::set<Index>(pool.parts.begin(), pool.parts.end()).size()) <= target) {
+    rules.groups = pool.parts;
+  } else {
+    rules.groups.assign(pool.parts.size(), 0);
+  }
+  rules.factor = [side, &parts](const Vec3& a, const Vec3& b) {
+    if (!parts.isBetween(a, b)) {
+      return 1.0;
+    }
+    const bool isOffSide = side != Side::either && parts.isInside(0.5 * (a + b)) != (side == Side::inside);
+    return isOffSide ? std::numeric_limits<double>::infinity() : wallFactor;
+  };
+  return rules;
+}
+
+PointPool poolOf(const Decimated& decimated) {
+  return {decimated.points, decimated.groups};
+}
+
+/// Where no pair may merge any more: of each closest pair the one of the higher place goes.
+PointPool thinned(const PointPool& pool, Index target) {
+  MergedPoints merged = mergeClosestPairs(pool.points, target, {pool.parts, nullptr});
+  if (merged.points.rows() > target) {
+    merged = mergeClosestPairs(pool.points, target);
+  }
+  PointPool result;
+  for (const Index place : merged.places) {
+    result.append(pool.points.row(place), pool.parts[place]);
+  }
+  result.shrink();
+  return result;
+}
+
+}  // namespace
+
+void PointPool::append(const Vec3& point, Index part) {
+  if (size() == points.rows()) {
+    points.conservativeResize(std::max<Eigen::Index>(64, 2 * points.rows()), 3);
+  }
+  points.row(size()) = point;
+  parts.push_back(part);
+}
+
+PointPool decimatedPool(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
+                        const Progress& progress) {
+  if (target <= 0) {
+    return {};
+  }
+  const PointPool left =
+      poolOf(decimate(pool.points, target, rulesFor(pool, target, side, parts), {}, progress));
+  return left.size() > target ? thinned(left, target) : left;
+}
+
+}  // namespace pbffd

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/measurements.h"
 #include "app/cli/output.h"
 #include "app/cli/place_options.h"
@@ -53,7 +54,9 @@ std::string tableText(const BenchCommand& command, const Measurements& m) {
 }
 
 void bench(const BenchCommand& command, const Progress& progress) {
-  const Measurements measurements = measure(readMesh(command.mesh, progress), command.placement, progress);
+  const Mesh mesh = readMesh(command.mesh, progress);
+  const Measurements measurements =
+      naming(command.mesh.string(), [&] { return measure(mesh, command.placement, progress); });
   print(command.asJson ? jsonText(measurements) : tableText(command, measurements));
 }
 

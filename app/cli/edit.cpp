@@ -1,11 +1,11 @@
-#include "core/project/edit.h"
 #include "app/cli/commands.h"
+
+#include "app/cli/files.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/project/edit_json.h"
-#include "core/project/project_file.h"
 
 #include <array>
 #include <cstdio>
@@ -33,15 +33,13 @@ std::string readStandardInput() {
   return text;
 }
 
-std::vector<Edit> readEdits(const std::string& from) {
-  return from == "-" ? parseEdits(readStandardInput(), "standard input") : parseEdits(readFile(from), from);
-}
-
 void edit(const EditCommand& command, const Progress& progress) {
-  const std::vector<Edit> edits = readEdits(command.edits);
-  const LoadedProject loaded = loadProject(command.project, progress);
+  const bool fromInput = command.edits == "-";
+  const std::string name = fromInput ? "standard input" : command.edits;
+  const std::vector<Edit> edits = parseEdits(fromInput ? readStandardInput() : readFile(command.edits), name);
+  const LoadedProject loaded = openProject(command.project, progress);
   EditWorkspace workspace;
-  const EditResult result = applyAll(loaded.project, edits, workspace, progress);
+  const EditResult result = naming(name, [&] { return applyAll(loaded.project, edits, workspace, progress); });
   saveProject(command.output, result.project, loaded.extras, progress);
   printRemarks(result.remarks);
   print(format("{} {} in {}.\n", edits.size(), edits.size() == 1 ? "edit" : "edits", command.output.string()));

@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
-#include "core/project/project_file.h"
 #include "core/project/shape.h"
 
 #include <filesystem>
@@ -25,7 +25,7 @@ void exportMesh(const ExportCommand& command, const Progress& progress) {
         pbffd::format("Could not export to {}: its ending names no mesh format. Use .obj, .off, .ply or .stl.",
                       command.mesh.string()));
   }
-  const Project project = loadProject(command.project, progress).project;
+  const Project project = openProject(command.project, progress).project;
   WeightCache weights;
   const DeformedShape shape = deformedShape(project, weights, progress);
   const std::string bytes = encodeMesh(project.mesh->mesh(), shape, format, progress);

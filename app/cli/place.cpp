@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/output.h"
 #include "app/cli/place_options.h"
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
 #include "core/project/edit.h"
-#include "core/project/project_file.h"
 
 #include <filesystem>
 #include <memory>
@@ -24,7 +24,8 @@ void place(const PlaceCommand& command, const Progress& progress) {
   Place edit;
   edit.options = command.placement;
   EditWorkspace workspace;
-  const EditResult result = apply(projectOf(mesh), edit, workspace, progress);
+  const EditResult result =
+      naming(command.mesh.string(), [&] { return apply(projectOf(mesh), edit, workspace, progress); });
   saveProject(command.project, result.project, {}, progress);
   printRemarks(result.remarks);
   const ControlSet& controls = result.project.controls;

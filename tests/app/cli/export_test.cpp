@@ -49,7 +49,7 @@ class ExportTest : public QObject {
     const QString mesh = folder.writeObj("a.obj", test::cube());
     const auto result = test::runPbffd({"export", mesh, "-o", folder.path("b.obj")});
     QCOMPARE(result.status, 1);
-    QVERIFY2(result.errors.contains("a.obj"), result.errors);
+    QVERIFY2(result.errors.contains("a.obj") && result.errors.contains("pbffd place"), result.errors);
     QCOMPARE(folder.read("b.obj"), QByteArray("(no file)"));
   }
 };

@@ -15,7 +15,7 @@ class MainTest : public QObject {
     QVERIFY(version.output.startsWith("pbffd "));
     const auto help = test::runPbffd({"--help"});
     QCOMPARE(help.status, 0);
-    for (const char* command : {"info", "place", "edit", "export"}) {
+    for (const char* command : {"info", "place", "edit", "export", "bench"}) {
       QVERIFY2(help.output.contains(command), command);
       const auto own = test::runPbffd({command, "--help"});
       QCOMPARE(own.status, 0);

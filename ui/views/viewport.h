@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/base/types.h"
+#include "ui/views/camera.h"
+#include "ui/views/gizmo.h"
 
 #include <QImage>
 #include <QWidget>
@@ -21,12 +23,6 @@ struct SurfaceHit {
   Index triangle;
 };
 
-/// A ray through a pixel: origin and unit direction in mesh units.
-struct PickRay {
-  Vec3 origin;
-  Vec3 direction;
-};
-
 /// The render view: the mesh, the control points, the regions and the gizmo of a document in one OpenGL
 /// widget, drawn at most once per turn of the event loop, with the camera. It does not edit: mouse and key
 /// events that are not the camera's go to the installed tool (an event filter on surface()).
@@ -41,19 +37,28 @@ class Viewport : public QWidget {
   QWidget* surface() const;
 
   void frameAll();
+  /// The selected points with their regions; everything when nothing is selected.
   void frameSelection();
   enum class Side { front, back, left, right, top, bottom };
   void lookFrom(Side side);
+  const Camera& camera() const;
+  void setCamera(const Camera& camera);
+  /// Turns the camera about the middle of what it looks at, by degrees.
+  void orbitBy(double yawDegrees, double pitchDegrees);
 
   /// What is on the screen, at the widget's size in device pixels.
   QImage picture();
 
-  /// Positions in widget coordinates (logical pixels, origin top left). projected(): z is the depth, 0 to 1.
+  /// Of the widget in logical pixels, origin top left.
+  Projection projection() const;
+  /// Positions in widget coordinates. projected(): z is the depth, 0 to 1.
   Vec3 projected(const Vec3& world) const;
   PickRay rayThrough(const QPointF& position) const;
   std::optional<SurfaceHit> surfaceAt(const QPointF& position) const;
-  /// The control points of the edit level that can be picked there, nearest to the eye first.
+  /// The control points of the edit level that can be picked there: those whose disc the cursor is on,
+  /// nearest to the eye first, then the others within 10 pixels by their distance on the screen.
   std::vector<PointId> pointsAt(const QPointF& position) const;
+  /// Those within a box, hidden ones too.
   std::vector<PointId> pointsIn(const QRectF& box) const;
   /// The world length of one logical pixel at the depth of `world`.
   double pixelSizeAt(const Vec3& world) const;
@@ -62,13 +67,42 @@ class Viewport : public QWidget {
   Vec3 upDirection() const;
   Vec3 rightDirection() const;
 
+  /// 0: none. The point under the cursor grows and shows its name.
   void setHoveredPoint(PointId point);
+  PointId hoveredPoint() const;
+
+  /// In mesh units; GizmoKind::none hides it.
+  void setGizmo(const Gizmo& gizmo);
+  GizmoPart gizmoPartAt(const QPointF& position) const;
+
+  /// A dashed rectangle while points are boxed; an empty one hides it.
+  void setRubberBand(const QRectF& box);
+  /// A box beside `anchor` (mesh units): `value` in bold after a bar of colour, then `hint`. An empty value
+  /// hides it.
+  struct ReadOut {
+    QString value;
+    QString hint;
+    QColor color;
+    Vec3 anchor = Vec3::Zero();
+  };
+  void setReadOut(const ReadOut& readOut);
+
+  /// The distance between the lines of the ground grid.
+  double gridSpacing() const;
 
  Q_SIGNALS:
   void cameraChanged();
   void rendered();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void connectSources();
+  void prepareFrame();
+  void requestFrame();
+  void placeOverlays();
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -1,0 +1,210 @@
+#include "ui/views/mesh_actor.h"
+
+#include "ui/views/mesh_edges.h"
+#include "ui/views/shaders.h"
+#include "ui/views/vertex_data.h"
+
+#include <algorithm>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace pbffd::ui {
+namespace {
+
+/// Where no edge is longer than this many pixels all of them have faded out, and are not drawn at all.
+constexpr double leastEdgePixels = 1.0;
+constexpr double vertexPixels = 3.0;
+
+/// The mean length of some of the edges; longest sides count, since they fade last.
+double roughEdgeLength(const RestMesh& mesh) {
+  const Polygons& faces = mesh.mesh().faces;
+  const Index step = std::max<Index>(1, faces.size() / 2000);
+  double sum = 0.0;
+  int count = 0;
+  for (Index f = 0; f < faces.size(); f += step) {
+    const auto corners = faces[f];
+    double longest = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Index next = corners[(i + 1) % corners.size()];
+      longest = std::max(longest, (mesh.positions().row(corners[i]) - mesh.positions().row(next)).norm());
+    }
+    sum += longest;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+std::vector<Index> countedTo(std::size_t count) {
+  std::vector<Index> numbers(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers[i] = static_cast<Index>(i);
+  }
+  return numbers;
+}
+
+void clearData(vtkPolyData& data) {
+  data.Initialize();
+  data.Modified();
+}
+
+}  // namespace
+
+MeshActor::MeshActor(vtkRenderer& renderer) {
+  useShaders(*surface_, *surfaceMapper_, shaders::meshVertex, shaders::meshFragment);
+  surfaceMapper_->SetInputData(surfaceData_);
+  useShaders(*edges_, *edgeMapper_, shaders::edgeVertex, shaders::flatFragment);
+  edgeMapper_->SetInputData(edgeData_);
+  edgeMapper_->MapDataArrayToVertexAttribute("edgeLength", "length", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  edgeMapper_->setDepth(PassMapper::DepthTest::inFront, false);
+  useShaders(*vertices_, *vertexMapper_, shaders::flatVertex, shaders::flatFragment);
+  vertexMapper_->SetInputData(vertexData_);
+  for (vtkActor* actor : {surface_.Get(), edges_.Get(), vertices_.Get()}) {
+    actor->VisibilityOff();
+    renderer.AddActor(actor);
+  }
+}
+
+MeshActor::~MeshActor() = default;
+
+void MeshActor::setMesh(std::shared_ptr<const RestMesh> mesh, const SurfaceBuffers& buffers) {
+  mesh_ = std::move(mesh);
+  hasEdges_ = false;
+  clearData(*surfaceData_);
+  clearData(*edgeData_);
+  clearData(*vertexData_);
+  points_ = nullptr;
+  normals_ = nullptr;
+  if (mesh_ != nullptr && !buffers.positions->empty()) {
+    points_ = borrowedPoints(*buffers.positions);
+    roughEdgeLength_ = roughEdgeLength(*mesh_);
+    if (buffers.triangles->empty()) {
+      vertexData_->SetPoints(points_);
+      vertexData_->SetVerts(cellsOf(countedTo(buffers.positions->size() / 3), 1));
+    } else {
+      normals_ = borrowedArray(*buffers.normals, 3, "Normals");
+      surfaceData_->SetPoints(points_);
+      surfaceData_->GetPointData()->SetNormals(normals_);
+      surfaceData_->SetPolys(cellsOf(*buffers.triangles, 3));
+    }
+  }
+  updateActors();
+}
+
+void MeshActor::positionsChanged() {
+  if (points_ == nullptr) {
+    return;
+  }
+  points_->GetData()->Modified();
+  points_->Modified();
+  if (normals_ != nullptr) {
+    normals_->Modified();
+  }
+}
+
+void MeshActor::setColors(const Colors& colors) {
+  colors_ = colors;
+  edgeMapper_->setUniform("flatColor", colors.edges);
+  vertexMapper_->setUniform("flatColor", colors.surface);
+  updateActors();
+}
+
+void MeshActor::setMode(DisplayMode mode) {
+  mode_ = mode;
+  updateActors();
+}
+
+void MeshActor::setVisible(bool visible) {
+  isVisible_ = visible;
+  updateActors();
+}
+
+void MeshActor::setPixelsPerUnit(double atUnitDepth, double atNearest) {
+  edgeMapper_->setUniform("pixelsPerUnit", static_cast<float>(atUnitDepth));
+  pixelsPerUnitNearest_ = atNearest;
+  updateActors();
+}
+
+void MeshActor::setPixelRatio(double ratio) {
+  vertices_->GetProperty()->SetPointSize(static_cast<float>(vertexPixels * ratio));
+}
+
+bool MeshActor::areEdgesSeen() const {
+  return mode_ == DisplayMode::wire && surfaceData_->GetNumberOfPoints() > 0 &&
+         roughEdgeLength_ * pixelsPerUnitNearest_ > leastEdgePixels;
+}
+
+void MeshActor::makeEdges() {
+  const MeshEdges edges = meshEdges(*mesh_);
+  edgeData_->SetPoints(points_);
+  edgeData_->SetLines(cellsOf(edges.slots, 2));
+  setAttribute(*edgeData_, edges.meanLengths, 1, "length");
+  hasEdges_ = true;
+}
+
+void MeshActor::updateActors() {
+  const bool isSeeThrough = mode_ == DisplayMode::seeThrough;
+  surfaceMapper_->setUniform("meshColor", isSeeThrough ? colors_.seeThrough : colors_.surface);
+  surface_->SetForceOpaque(!isSeeThrough);
+  surface_->SetForceTranslucent(isSeeThrough);
+  surface_->SetVisibility(isVisible_ && surfaceData_->GetNumberOfPoints() > 0);
+  vertices_->SetVisibility(isVisible_ && vertexData_->GetNumberOfPoints() > 0);
+  const bool edgesSeen = isVisible_ && areEdgesSeen();
+  if (edgesSeen && !hasEdges_) {
+    makeEdges();
+  }
+  edges_->SetVisibility(edgesSeen);
+}
+
+GhostActor::GhostActor(vtkRenderer& renderer) {
+  useShaders(*depth_, *depthMapper_, shaders::flatVertex, shaders::flatFragment);
+  depthMapper_->setDrawsColor(false);
+  useShaders(*color_, *colorMapper_, shaders::flatVertex, shaders::flatFragment);
+  colorMapper_->setDepth(PassMapper::DepthTest::inFront, false);
+  for (PassMapper* mapper : {depthMapper_.Get(), colorMapper_.Get()}) {
+    mapper->SetInputData(data_);
+  }
+  for (vtkActor* actor : {depth_.Get(), color_.Get()}) {
+    actor->VisibilityOff();
+    renderer.AddActor(actor);
+  }
+}
+
+GhostActor::~GhostActor() = default;
+
+void GhostActor::setMesh(const RestMesh& mesh, const Vec3& origin, const std::vector<Index>& triangles) {
+  std::vector<float> positions;
+  positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
+  for (const Index vertex : mesh.mortonOrder()) {
+    const Vec3 position = mesh.positions().row(vertex).transpose() - origin;
+    for (int i = 0; i < 3; ++i) {
+      positions.push_back(static_cast<float>(position[i]));
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(ownedArray(positions, 3, "Points"));
+  data_->SetPoints(points);
+  data_->SetPolys(cellsOf(triangles, 3));
+}
+
+void GhostActor::clear() {
+  clearData(*data_);
+}
+
+void GhostActor::setColor(const Rgba& color) {
+  colorMapper_->setUniform("flatColor", color);
+}
+
+void GhostActor::setVisible(bool visible) {
+  const bool isSeen = visible && data_->GetNumberOfPoints() > 0;
+  depth_->SetVisibility(isSeen);
+  color_->SetVisibility(isSeen);
+}
+
+}  // namespace pbffd::ui

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/mesh/rest_mesh.h"
+#include "ui/document/view_state.h"
+#include "ui/views/color.h"
+#include "ui/views/pass_mapper.h"
+
+#include <memory>
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkFloatArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace pbffd::ui {
+
+/// The buffers that a surface is drawn from, in slots. They are read where they lie, each time that they
+/// are said to have changed.
+struct SurfaceBuffers {
+  const std::vector<float>* positions = nullptr;  ///< 3 a slot
+  const std::vector<float>* normals = nullptr;    ///< 3 a slot
+  const std::vector<Index>* triangles = nullptr;  ///< 3 a triangle
+};
+
+/// The deformed mesh: shaded, with the edges of its polygons, or see-through. A mesh without faces shows its
+/// vertices as points.
+class MeshActor {
+ public:
+  explicit MeshActor(vtkRenderer& renderer);
+  ~MeshActor();
+
+  /// Null: nothing is drawn. The buffers must live until the next call.
+  void setMesh(std::shared_ptr<const RestMesh> mesh, const SurfaceBuffers& buffers);
+  /// The floats in the buffers changed: they alone go to the graphics card again.
+  void positionsChanged();
+
+  struct Colors {
+    Rgba surface{};
+    Rgba edges{};
+    Rgba seeThrough{};
+  };
+  void setColors(const Colors& colors);
+  void setMode(DisplayMode mode);
+  void setVisible(bool visible);
+  /// How many logical pixels a unit of length has at depth 1 (anywhere, for an orthographic camera), and at
+  /// the depth where the mesh is nearest.
+  void setPixelsPerUnit(double atUnitDepth, double atNearest);
+  void setPixelRatio(double ratio);
+
+ private:
+  void updateActors();
+  void makeEdges();
+  bool areEdgesSeen() const;
+
+  vtkNew<PassMapper> surfaceMapper_;
+  vtkNew<vtkActor> surface_;
+  vtkNew<vtkPolyData> surfaceData_;
+  vtkNew<PassMapper> edgeMapper_;
+  vtkNew<vtkActor> edges_;
+  vtkNew<vtkPolyData> edgeData_;
+  vtkNew<PassMapper> vertexMapper_;
+  vtkNew<vtkActor> vertices_;
+  vtkNew<vtkPolyData> vertexData_;
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkFloatArray> normals_;
+
+  std::shared_ptr<const RestMesh> mesh_;
+  Colors colors_;
+  DisplayMode mode_ = DisplayMode::wire;
+  bool isVisible_ = true;
+  bool hasEdges_ = false;
+  double pixelsPerUnitNearest_ = 0.0;
+  double roughEdgeLength_ = 0.0;
+};
+
+/// The rest mesh as a flat, faint shape behind the present one.
+class GhostActor {
+ public:
+  explicit GhostActor(vtkRenderer& renderer);
+  ~GhostActor();
+
+  /// `triangles` in slots. Positions are taken relative to `origin`.
+  void setMesh(const RestMesh& mesh, const Vec3& origin, const std::vector<Index>& triangles);
+  void clear();
+  void setColor(const Rgba& color);
+  void setVisible(bool visible);
+
+ private:
+  vtkNew<PassMapper> depthMapper_;
+  vtkNew<vtkActor> depth_;
+  vtkNew<PassMapper> colorMapper_;
+  vtkNew<vtkActor> color_;
+  vtkNew<vtkPolyData> data_;
+};
+
+}  // namespace pbffd::ui

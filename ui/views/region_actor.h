@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/ffd/control_point.h"
+#include "ui/views/camera.h"
+#include "ui/views/stroke_actor.h"
+
+#include <vector>
+
+namespace pbffd::ui {
+
+/// The regions of influence of posed control points: a faint fill, three rings and the border as the camera
+/// sees it. Of many regions only the rings are drawn.
+class RegionActor {
+ public:
+  explicit RegionActor(vtkRenderer& renderer);
+
+  static constexpr std::size_t mostFilled = 60;
+
+  struct Colors {
+    Rgba fill{};
+    Rgba rings{};
+    Rgba outline{};
+  };
+  void setColors(const Colors& colors);
+  void setPixelRatio(double ratio);
+
+  /// In view space.
+  void setRegions(std::vector<Frame> regions);
+  /// The borders depend on where the camera is.
+  void setLens(const Projection::Lens& lens);
+
+ private:
+  void drawRings();
+  void drawOutlines(const Projection::Lens& lens);
+
+  FillActor fills_;
+  StrokeActor rings_;
+  StrokeActor outlines_;
+  std::vector<Frame> regions_;
+  Colors colors_;
+  bool hasOutlines_ = false;
+};
+
+}  // namespace pbffd::ui

@@ -2,138 +2,158 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 namespace pbffd {
 namespace {
+
+using Mat4 = Eigen::Matrix4d;
+
+/// The six numbers of the symmetric quadric Q of x^T Q x <= 1, then a multiplier for each of the two regions.
+constexpr int unknowns = 8;
+using Unknowns = Eigen::Matrix<double, unknowns, 1>;
+using Curvature = Eigen::Matrix<double, unknowns, unknowns>;
 
 double largestSemiAxis(const Frame& rest) {
   return rest.axes.colwise().norm().maxCoeff();
 }
 
-Frame enclosingSphere(const Frame& first, const Frame& second) {
-  const double radius =
-      0.5 * (first.center - second.center).norm() + std::max(largestSemiAxis(first), largestSemiAxis(second));
-  return {0.5 * (first.center + second.center), radius * Mat3::Identity()};
+double enclosingRadius(const Frame& first, const Frame& second) {
+  return 0.5 * (first.center - second.center).norm() +
+         std::max(largestSemiAxis(first), largestSemiAxis(second));
 }
 
-/// The point of the ellipsoid center + axes * (unit sphere) that lies farthest out of x^T Q x = 1, and how far:
-/// maximises |b + B t| over |t| = 1 by its secular equation in the multiplier.
-struct Farthest {
-  Vec3 point;
-  double value;  ///< x^T Q x
-};
-Farthest farthest(const Frame& ellipsoid, const Mat3& quadric) {
-  const Mat3 root = quadric.llt().matrixU();
-  const Eigen::JacobiSVD<Mat3> svd(root * ellipsoid.axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vec3 sigma = svd.singularValues();
-  const Vec3 pull = sigma.cwiseProduct(svd.matrixU().transpose() * (root * ellipsoid.center));
-  const Vec3 squares = sigma.cwiseAbs2();
-  const auto at = [&](double multiplier) -> Vec3 {
-    Vec3 t;
-    for (int i = 0; i < 3; ++i) {
-      const double gap = multiplier - squares[i];
-      t[i] = gap > 0.0 ? pull[i] / gap : 0.0;
+Mat3 quadricOf(const Unknowns& z) {
+  Mat3 q;
+  q << z[0], z[1], z[2], z[1], z[3], z[4], z[2], z[4], z[5];
+  return q;
+}
+
+/// The least ellipsoid about the origin that encloses two others, as a problem over matrices: minimise
+/// -log det Q where, by the S-lemma, {c + A s, |s| <= 1} lies within x^T Q x <= 1 if and only if
+/// F = [m I - A^T Q A, -A^T Q c; -c^T Q A, 1 - m - c^T Q c] is positive for some multiplier m. Solved by an
+/// interior point method, so that what it ends with encloses both, however far it came.
+class LeastEllipsoid {
+ public:
+  explicit LeastEllipsoid(const std::array<Frame, 2>& inner) : inner_(inner) {}
+
+  /// For regions within the unit sphere about the origin.
+  Mat3 solve() const {
+    Unknowns z;
+    z << 0.25, 0, 0, 0.25, 0, 0.25, 0.5, 0.5;
+    // The volume that is left to gain is below 4 times the last share.
+    for (double share = 1.0; share > 1e-9; share *= 0.2) {
+      z = minimized(z, share);
     }
-    return t;
+    return quadricOf(z);
+  }
+
+ private:
+  /// F of one region, linear in the unknowns but for the 1.
+  Mat4 condition(int which, const Unknowns& z, double constant) const {
+    const Frame& region = inner_[which];
+    const Mat3 q = quadricOf(z);
+    const double multiplier = z[6 + which];
+    Mat4 f;
+    f.topLeftCorner<3, 3>() = multiplier * Mat3::Identity() - region.axes.transpose() * q * region.axes;
+    f.topRightCorner<3, 1>() = -region.axes.transpose() * q * region.center;
+    f.bottomLeftCorner<1, 3>() = f.topRightCorner<3, 1>().transpose();
+    f(3, 3) = constant - multiplier - region.center.dot(q * region.center);
+    return f;
+  }
+
+  /// -log det of a symmetric matrix; infinity where it is not positive.
+  template <class Matrix>
+  static double minusLogDeterminant(const Matrix& matrix) {
+    const Eigen::LLT<Matrix> factor(matrix);
+    if (factor.info() != Eigen::Success) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return -2.0 * Matrix(factor.matrixL()).diagonal().array().log().sum();
+  }
+
+  double value(const Unknowns& z, double share) const {
+    return minusLogDeterminant(quadricOf(z)) +
+           share * (minusLogDeterminant(condition(0, z, 1.0)) + minusLogDeterminant(condition(1, z, 1.0)));
+  }
+
+  struct Derivatives {
+    Unknowns gradient = Unknowns::Zero();
+    Curvature hessian = Curvature::Zero();
+
+    /// Adds those of -weight * log det of a matrix, given how it changes with each unknown.
+    template <class Matrix>
+    void add(const Matrix& matrix, const std::array<Matrix, unknowns>& changes, double weight) {
+      const Eigen::LLT<Matrix> factor(matrix);
+      std::array<Matrix, unknowns> solved;
+      for (int k = 0; k < unknowns; ++k) {
+        solved[k] = factor.solve(changes[k]);
+        gradient[k] -= weight * solved[k].trace();
+      }
+      for (int k = 0; k < unknowns; ++k) {
+        for (int l = 0; l < unknowns; ++l) {
+          hessian(k, l) += weight * solved[k].cwiseProduct(solved[l].transpose()).sum();
+        }
+      }
+    }
   };
-  // |t| falls from the largest sigma^2 on; at the upper end it is below 1.
-  double low = squares[0];
-  double high = squares[0] + pull.norm();
-  for (int i = 0; i < 100 && high - low > 1e-15 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (at(middle).norm() > 1.0 ? low : high) = middle;
-  }
-  Vec3 t = at(high);
-  // Without a pull along the longest axis the rest of the unit lies along it, on either side.
-  const double missing = 1.0 - t.squaredNorm();
-  if (missing > 0.0) {
-    t[0] = std::copysign(std::sqrt(t[0] * t[0] + missing), t[0]);
-  }
-  const Vec3 point = ellipsoid.center + ellipsoid.axes * (svd.matrixV() * t.normalized());
-  return {point, point.dot(quadric * point)};
-}
 
-/// The quadric of the least ellipsoid about the origin that holds the points (and their opposites): the
-/// Wolfe-Atwood algorithm with away steps (Todd and Yildirim 2007).
-Mat3 leastQuadric(const std::vector<Vec3>& points, std::vector<double>& shares) {
-  constexpr double dimension = 3.0;
-  constexpr double tolerance = 1e-8;
-  Mat3 inverse = Mat3::Identity();
-  for (int iteration = 0; iteration < 10000; ++iteration) {
-    Mat3 scatter = Mat3::Zero();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      scatter += shares[i] * points[i] * points[i].transpose();
+  Derivatives derivatives(const Unknowns& z, double share) const {
+    std::array<Mat3, unknowns> quadrics;
+    std::array<Mat4, unknowns> firsts;
+    std::array<Mat4, unknowns> seconds;
+    for (int k = 0; k < unknowns; ++k) {
+      quadrics[k] = quadricOf(Unknowns::Unit(k));
+      firsts[k] = condition(0, Unknowns::Unit(k), 0.0);
+      seconds[k] = condition(1, Unknowns::Unit(k), 0.0);
     }
-    inverse = scatter.inverse();
-    std::size_t outermost = 0;
-    std::size_t innermost = points.size();
-    std::vector<double> distance(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      distance[i] = points[i].dot(inverse * points[i]);
-      if (distance[i] > distance[outermost]) {
-        outermost = i;
-      }
-      if (shares[i] > 0.0 && (innermost == points.size() || distance[i] < distance[innermost])) {
-        innermost = i;
-      }
-    }
-    const double above = distance[outermost] / dimension - 1.0;
-    const double below = 1.0 - distance[innermost] / dimension;
-    if (std::max(above, below) < tolerance) {
-      break;
-    }
-    const std::size_t chosen = above >= below ? outermost : innermost;
-    double step = (distance[chosen] - dimension) / (dimension * (distance[chosen] - 1.0));
-    if (above < below) {
-      // An away step takes at most the whole share of the innermost point.
-      const double most = -shares[chosen] / (1.0 - shares[chosen]);
-      step = distance[chosen] > 1.0 ? std::max(step, most) : most;
-    }
-    for (double& share : shares) {
-      share *= 1.0 - step;
-    }
-    shares[chosen] = std::max(0.0, shares[chosen] + step);
+    Derivatives sum;
+    sum.add(quadricOf(z), quadrics, 1.0);
+    sum.add(condition(0, z, 1.0), firsts, share);
+    sum.add(condition(1, z, 1.0), seconds, share);
+    return sum;
   }
-  return inverse / dimension;
-}
+
+  /// Newton's method with halved steps; never leaves the interior.
+  Unknowns minimized(Unknowns z, double share) const {
+    constexpr int iterations = 50;
+    constexpr double shortest = 1e-10;
+    for (int i = 0; i < iterations; ++i) {
+      const Derivatives at = derivatives(z, share);
+      const Unknowns step = -at.hessian.ldlt().solve(at.gradient);
+      const double slope = at.gradient.dot(step);
+      // A tenth of what the share leaves undecided is near enough.
+      if (!(-slope > 0.1 * share)) {
+        break;
+      }
+      const double before = value(z, share);
+      double length = 1.0;
+      while (length > shortest && !(value(z + length * step, share) <= before + 0.1 * length * slope)) {
+        length *= 0.5;
+      }
+      if (length <= shortest) {
+        break;
+      }
+      z += length * step;
+    }
+    return z;
+  }
+
+  const std::array<Frame, 2>& inner_;
+};
 
 Frame enclosingEllipsoid(const Frame& first, const Frame& second) {
   const Vec3 center = 0.5 * (first.center + second.center);
-  const std::array<Frame, 2> ellipsoids{Frame{first.center - center, first.axes},
-                                        Frame{second.center - center, second.axes}};
-  std::vector<Vec3> points;
-  for (const Frame& ellipsoid : ellipsoids) {
-    for (int axis = 0; axis < 3; ++axis) {
-      points.push_back(ellipsoid.center + ellipsoid.axes.col(axis));
-      points.push_back(ellipsoid.center - ellipsoid.axes.col(axis));
-    }
-  }
-  std::vector<double> shares(points.size(), 1.0 / static_cast<double>(points.size()));
-  Mat3 quadric;
-  double outside = 1.0;
-  // The points where the two touch it from within are found one after the other.
-  for (int round = 0; round < 100; ++round) {
-    quadric = leastQuadric(points, shares);
-    const std::array<Farthest, 2> found{farthest(ellipsoids[0], quadric), farthest(ellipsoids[1], quadric)};
-    outside = std::max(found[0].value, found[1].value);
-    if (outside < 1.0 + 1e-7) {
-      break;
-    }
-    for (const Farthest& one : found) {
-      points.push_back(one.point);
-      shares.push_back(0.0);
-    }
-  }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(quadric / std::max(outside, 1.0));
+  const double radius = enclosingRadius(first, second);
+  const std::array<Frame, 2> scaled{Frame{(first.center - center) / radius, first.axes / radius},
+                                    Frame{(second.center - center) / radius, second.axes / radius}};
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(LeastEllipsoid(scaled).solve());
   Frame frame{center, solver.eigenvectors()};
   for (int axis = 0; axis < 3; ++axis) {
-    frame.axes.col(axis) /= std::sqrt(solver.eigenvalues()[axis]);
+    frame.axes.col(axis) *= radius / std::sqrt(solver.eigenvalues()[axis]);
   }
   return frame;
 }
@@ -141,7 +161,10 @@ Frame enclosingEllipsoid(const Frame& first, const Frame& second) {
 }  // namespace
 
 Frame enclosingRegion(const Frame& first, const Frame& second, RegionShape shape) {
-  return shape == RegionShape::sphere ? enclosingSphere(first, second) : enclosingEllipsoid(first, second);
+  if (shape == RegionShape::ellipsoid) {
+    return enclosingEllipsoid(first, second);
+  }
+  return {0.5 * (first.center + second.center), enclosingRadius(first, second) * Mat3::Identity()};
 }
 
 }  // namespace pbffd

@@ -46,7 +46,7 @@ void main() {
   vec3 toEye = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-positionVC);
   float size = length(normalVC);
   vec3 normal = size > 0.0 ? normalVC / size : toEye;
-  if (dot(normal, toEye) < 0.0) {
+  if (!gl_FrontFacing) {
     normal = -normal;
   }
   float light = key.w * max(dot(normal, key.xyz), 0.0) + fill.w * max(dot(normal, fill.xyz), 0.0) +
@@ -100,7 +100,7 @@ void main() {
 )";
 
 const char* const strokeVertex = R"(//VTK::System::Dec
-in vec4 vertexMC;
+in vec3 ownMC;
 in vec3 otherMC;
 in vec4 strokeIn;
 in vec3 styleIn;
@@ -119,7 +119,7 @@ void main() {
   style = styleIn;
   bool isStart = strokeIn.y < 0.5;
   radii = pixelRatio * (isStart ? strokeIn.zw : strokeIn.wz);
-  vec4 own = MCDCMatrix * vertexMC;
+  vec4 own = MCDCMatrix * vec4(ownMC, 1.0);
   vec4 other = MCDCMatrix * vec4(otherMC, 1.0);
   float ownInside = own.z + own.w;
   float otherInside = other.z + other.w;

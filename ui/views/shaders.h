@@ -15,7 +15,7 @@ extern const char* const flatFragment;
 /// Uniforms flatColor, pixelsPerUnit.
 extern const char* const edgeVertex;
 
-/// Lines of any width with smooth borders, made of quads; see Stroke. Attributes vertexMC (own end),
+/// Lines of any width with smooth borders, made of quads; see Stroke. Attributes ownMC (own end),
 /// otherMC, strokeIn (side, end, own radius, other radius), styleIn (dash, gap, cap), colorIn.
 extern const char* const strokeVertex;
 extern const char* const strokeFragment;

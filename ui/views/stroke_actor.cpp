@@ -48,6 +48,7 @@ StrokeActor::StrokeActor(vtkRenderer& renderer) {
   useShaders(*actor_, *mapper_, shaders::strokeVertex, shaders::strokeFragment);
   mapper_->SetInputData(data_);
   mapper_->MapDataArrayToVertexAttribute("colorIn", "color", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  mapper_->MapDataArrayToVertexAttribute("ownMC", "own", vtkDataObject::FIELD_ASSOCIATION_POINTS);
   mapper_->MapDataArrayToVertexAttribute("otherMC", "other", vtkDataObject::FIELD_ASSOCIATION_POINTS);
   mapper_->MapDataArrayToVertexAttribute("strokeIn", "stroke", vtkDataObject::FIELD_ASSOCIATION_POINTS);
   mapper_->MapDataArrayToVertexAttribute("styleIn", "style", vtkDataObject::FIELD_ASSOCIATION_POINTS);
@@ -62,6 +63,7 @@ StrokeActor::~StrokeActor() = default;
 
 void StrokeActor::setStrokes(const std::vector<Stroke>& strokes) {
   VertexList vertices;
+  std::vector<float> owns;
   std::vector<float> others;
   std::vector<float> shapes;
   std::vector<float> styles;
@@ -70,7 +72,9 @@ void StrokeActor::setStrokes(const std::vector<Stroke>& strokes) {
     const auto first = static_cast<Index>(vertices.positions.size() / 3);
     for (int corner = 0; corner < 4; ++corner) {
       const bool isEnd = corner >= 2;
-      vertices.add(isEnd ? stroke.to : stroke.from, (isEnd ? stroke.colorTo : stroke.colorFrom).data());
+      // VTK drops triangles whose corners coincide, so the ends are attributes and the positions a mere square.
+      vertices.add(Vec3(corner % 2, corner / 2, 0), (isEnd ? stroke.colorTo : stroke.colorFrom).data());
+      appendPoint(owns, isEnd ? stroke.to : stroke.from);
       appendPoint(others, isEnd ? stroke.from : stroke.to);
       const float side = corner % 2 == 0 ? 1.0F : -1.0F;
       const float own = 0.5F * (isEnd ? stroke.widthTo : stroke.widthFrom);
@@ -80,6 +84,7 @@ void StrokeActor::setStrokes(const std::vector<Stroke>& strokes) {
     }
     triangles.insert(triangles.end(), {first, first + 1, first + 2, first + 1, first + 3, first + 2});
   }
+  setAttribute(*data_, owns, 3, "own");
   setAttribute(*data_, others, 3, "other");
   setAttribute(*data_, shapes, 4, "stroke");
   setAttribute(*data_, styles, 3, "style");

@@ -25,8 +25,11 @@ Vec3 facetNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 std::optional<Vec3> movedFacetNormal(const Reshaped& shape, Index face) {
   const std::span<const Index> corners = shape.mesh().faces[face];
-  const std::vector<double>& normals = shape.mesh().attributes.front().values;
-  const Vec3 source(normals.data() + 3 * static_cast<std::size_t>(face));
+  const auto normals = std::ranges::find(shape.mesh().attributes, "normal", &Attribute::name);
+  if (normals == shape.mesh().attributes.end()) {
+    return std::nullopt;
+  }
+  const Vec3 source(normals->values.data() + 3 * static_cast<std::size_t>(face));
   const bool isMoved = std::ranges::any_of(corners, [&](Index vertex) { return shape.isMoved(vertex); });
   if (!isMoved || source.isZero(0.0)) {
     return std::nullopt;

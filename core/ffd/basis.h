@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ffd/block_kernels.h"
 #include "core/ffd/control_point.h"
 
 #include <array>
@@ -22,7 +23,7 @@ struct Basis {
 double basisValue(const Basis& basis, double uSquared);
 
 /// Sixteen numbers, one a vertex of a block.
-using Lanes = std::array<double, 16>;
+struct alignas(64) Lanes : std::array<double, 16> {};
 
 /// basisValue() of each, the same bits.
 Lanes basisValues(const Basis& basis, const Lanes& uSquared);
@@ -51,6 +52,8 @@ struct Region {
     const Vec3 u = parameter(point);
     return u.x() * u.x() + u.y() * u.y() + u.z() * u.z();
   }
+
+  RegionNumbers numbers() const { return {center.data(), toLocal.data()}; }
 
   /// The half sizes of the axis-aligned box around the ellipsoid.
   Vec3 halfSizes() const { return halfSizes_; }

@@ -26,23 +26,14 @@ Lanes LevelValues::master(const PointBlocks& blocks, Index block) const {
   return constant;
 }
 
-Lanes LevelValues::values(const PointBlocks& blocks, Index block, Index point, std::uint16_t members) const {
-  Lanes values = basisValues(basis_, blocks.squaredDistances(block, region(point)));
-  const double factor = strength(point);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    values[k] = (members >> k & 1) != 0 ? factor * values[k] : 0.0;
-  }
-  return values;
-}
-
 void BlockValues::evaluate(Index block, const BlockList& list) {
+  const BlockKernels& kernels = blockKernels();
   entries_.resize(list.points.size());
   Lanes total{};
   for (std::size_t e = 0; e < entries_.size(); ++e) {
-    entries_[e] = values_->values(*blocks_, block, list.points[e], list.members[e]);
-    for (std::size_t k = 0; k < total.size(); ++k) {
-      total[k] += entries_[e][k];
-    }
+    const Index j = list.points[e];
+    entries_[e] = basisValues(values_->basis(), blocks_->squaredDistances(block, values_->region(j)));
+    kernels.addMembers(values_->strength(j), list.members[e], entries_[e].data(), total.data());
   }
   master_ = values_->master(*blocks_, block);
   for (std::size_t k = 0; k < total.size(); ++k) {

@@ -24,9 +24,6 @@ class LevelValues {
   /// The master's value at each point of a block; 0 beyond the last point in mode `paper`.
   Lanes master(const PointBlocks& blocks, Index block) const;
 
-  /// The values of control point `point` at the members; 0 at the others.
-  Lanes values(const PointBlocks& blocks, Index block, Index point, std::uint16_t members) const;
-
  private:
   Basis basis_;
   std::vector<Region> regions_;

@@ -4,6 +4,7 @@
 #include "core/ffd/displacement.h"
 #include "core/ffd/live_kernel.h"
 #include "core/ffd/slot_mesh.h"
+#include "core/ffd/touched_blocks.h"
 
 #include <fmt/format.h>
 
@@ -17,27 +18,6 @@ namespace pbffd {
 namespace {
 
 constexpr std::size_t blockGrain = 64;
-
-/// The blocks that each control point touches: the lists of the weights the other way about.
-struct TouchedBlocks {
-  std::vector<Index> start;  ///< M + 1 entries
-  std::vector<Index> blocks;
-
-  explicit TouchedBlocks(const Parameterization& weights)
-      : start(static_cast<std::size_t>(weights.pointCount) + 1, 0) {
-    for (const Index j : weights.points) {
-      ++start[static_cast<std::size_t>(j) + 1];
-    }
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    blocks.resize(weights.points.size());
-    std::vector<Index> next(start.begin(), start.end() - 1);
-    for (Index block = 0; block < weights.blockCount(); ++block) {
-      for (const Index j : weights.list(block).points) {
-        blocks[static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++)] = block;
-      }
-    }
-  }
-};
 
 /// M - 1 about the origin of the live positions.
 AffineMap displacementAbout(const Vec3& origin, const AffineMap& map) {
@@ -113,21 +93,13 @@ std::vector<Index> LiveDeformation::State::blocksToEvaluate(const LevelMaps& nex
   if (next.master != maps.master) {
     return allBlocks(slots.blockCount());
   }
-  std::vector<std::uint8_t> isTouched(static_cast<std::size_t>(slots.blockCount()), 0);
+  std::vector<Index> changed;
   for (std::size_t j = 0; j < maps.points.size(); ++j) {
     if (next.points[j] != maps.points[j]) {
-      for (Index e = touched.start[j]; e < touched.start[j + 1]; ++e) {
-        isTouched[static_cast<std::size_t>(touched.blocks[static_cast<std::size_t>(e)])] = 1;
-      }
+      changed.push_back(static_cast<Index>(j));
     }
   }
-  std::vector<Index> blocks;
-  for (Index block = 0; block < slots.blockCount(); ++block) {
-    if (isTouched[static_cast<std::size_t>(block)] != 0) {
-      blocks.push_back(block);
-    }
-  }
-  return blocks;
+  return touched.by(changed);
 }
 
 LivePass LiveDeformation::State::pass() {
@@ -249,10 +221,9 @@ const std::vector<Index>& LiveDeformation::triangleSlots() const {
 std::size_t LiveDeformation::bytesOfWeights() const {
   const Parameterization& weights = *state_->weights;
   return sizeof(float) * weights.weights.size() +
-         sizeof(Index) * (weights.blockStart.size() + weights.points.size() + state_->touched.start.size() +
-                          state_->touched.blocks.size()) +
+         sizeof(Index) * (weights.blockStart.size() + weights.points.size()) +
          sizeof(std::uint16_t) * (weights.members.size() + weights.masterMembers.size()) +
-         state_->slots.bytesOfLists();
+         state_->touched.bytes() + state_->slots.bytesOfLists();
 }
 
 }  // namespace pbffd

@@ -5,23 +5,6 @@
 #include <initializer_list>
 
 namespace pbffd {
-namespace {
-
-bool hasInstructions(Instructions instructions) {
-#if defined(__x86_64__)
-  switch (instructions) {
-    case Instructions::plain:
-      return true;
-    case Instructions::avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case Instructions::avx512:
-      return __builtin_cpu_supports("avx512f");
-  }
-#endif
-  return instructions == Instructions::plain;
-}
-
-}  // namespace
 
 Instructions bestInstructions() {
   for (const Instructions instructions : {Instructions::avx512, Instructions::avx2}) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/ffd/instructions.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -36,9 +38,6 @@ struct LivePass {
 /// Evaluates the blocks named, each from rest: v + sum_j w_j d_j(v), where the master's share is what the
 /// others leave of 1: master(v) + sum_j w_j (d_j - master)(v).
 using LiveKernel = void (*)(const LivePass& pass, const std::int32_t* blocks, std::size_t count);
-
-/// What a kernel is compiled for: any processor, AVX2 with FMA, AVX-512.
-enum class Instructions { plain, avx2, avx512 };
 
 /// The most that both this processor and this build have.
 Instructions bestInstructions();

@@ -22,13 +22,20 @@ struct LiveBody {
     return {row(m, map.shift[0]), row(m + 3, map.shift[1]), row(m + 6, map.shift[2])};
   }
 
+  /// Bit k: whether anything reaches the k-th vertex.
+  static unsigned reachedBy(const LivePass& pass, std::int32_t block) {
+    unsigned reached = pass.masterMembers[block];
+    for (std::int32_t e = pass.blockStart[block]; e < pass.blockStart[block + 1]; ++e) {
+      reached |= pass.members[e];
+    }
+    return reached;
+  }
+
   static Three displacement(const LivePass& pass, std::int32_t block, const Three& rest) {
     Three sum{Sixteen::all(0.0F), Sixteen::all(0.0F), Sixteen::all(0.0F)};
-    unsigned reached = pass.masterMembers[block];
     const std::int32_t end = pass.blockStart[block + 1];
     for (std::int32_t e = pass.blockStart[block]; e < end; ++e) {
       const LiveMap& map = pass.maps[pass.points[e]];
-      reached |= pass.members[e];
       if (map.kind == LiveMap::rest) {
         continue;
       }
@@ -43,6 +50,7 @@ struct LiveBody {
       }
     }
     if (pass.master.kind != LiveMap::rest) {
+      const unsigned reached = reachedBy(pass, block);
       const Three d = displaced(pass.master, rest);
       sum = {sum.x + kept(d.x, reached), sum.y + kept(d.y, reached), sum.z + kept(d.z, reached)};
     }

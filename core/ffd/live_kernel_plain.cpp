@@ -4,50 +4,38 @@
 namespace pbffd {
 namespace {
 
-/// Loops that the compiler turns into whatever every processor has.
+/// Vectors of four, which every processor has; the compiler's own, so that no instruction is named.
 struct Sixteen {
-  float lanes[16];
+  using Four = float __attribute__((vector_size(16)));
+  Four quarters[4];
 
+  template <class Make>
+  static Sixteen each(const Make& make) {
+    return {{make(0), make(1), make(2), make(3)}};
+  }
   static Sixteen all(float value) {
-    Sixteen result;
-    for (float& lane : result.lanes) {
-      lane = value;
-    }
-    return result;
+    return each([&](int) { return Four{value, value, value, value}; });
   }
   static Sixteen load(const float* from) {
-    Sixteen result;
-    for (int k = 0; k < 16; ++k) {
-      result.lanes[k] = from[k];
-    }
-    return result;
+    return each([&](int q) { return Four{from[4 * q], from[4 * q + 1], from[4 * q + 2], from[4 * q + 3]}; });
   }
   friend Sixteen operator+(const Sixteen& a, const Sixteen& b) {
-    Sixteen result;
-    for (int k = 0; k < 16; ++k) {
-      result.lanes[k] = a.lanes[k] + b.lanes[k];
-    }
-    return result;
+    return each([&](int q) { return a.quarters[q] + b.quarters[q]; });
   }
   friend Sixteen fused(const Sixteen& a, const Sixteen& b, const Sixteen& c) {
-    Sixteen result;
-    for (int k = 0; k < 16; ++k) {
-      result.lanes[k] = a.lanes[k] * b.lanes[k] + c.lanes[k];
-    }
-    return result;
+    return each([&](int q) { return a.quarters[q] * b.quarters[q] + c.quarters[q]; });
   }
   friend Sixteen kept(const Sixteen& a, unsigned members) {
-    Sixteen result;
-    for (int k = 0; k < 16; ++k) {
-      result.lanes[k] = (members >> k & 1U) != 0 ? a.lanes[k] : 0.0F;
-    }
-    return result;
+    return each([&](int q) {
+      const auto lane = [&](int k) { return (members >> (4 * q + k) & 1U) != 0 ? a.quarters[q][k] : 0.0F; };
+      return Four{lane(0), lane(1), lane(2), lane(3)};
+    });
   }
   friend void store(const Sixteen& x, const Sixteen& y, const Sixteen& z, float* to) {
     for (int k = 0; k < 16; ++k) {
-      to[3 * k] = x.lanes[k];
-      to[3 * k + 1] = y.lanes[k];
-      to[3 * k + 2] = z.lanes[k];
+      to[3 * k] = x.quarters[k / 4][k % 4];
+      to[3 * k + 1] = y.quarters[k / 4][k % 4];
+      to[3 * k + 2] = z.quarters[k / 4][k % 4];
     }
   }
 };

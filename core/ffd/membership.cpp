@@ -17,14 +17,6 @@ void forEachMember(Index block, std::uint16_t members, const Visit& visit) {
   }
 }
 
-std::uint16_t insideMask(const Lanes& uSquared) {
-  unsigned mask = 0;
-  for (unsigned k = 0; k < uSquared.size(); ++k) {
-    mask |= static_cast<unsigned>(uSquared[k] < 1.0) << k;
-  }
-  return static_cast<std::uint16_t>(mask);
-}
-
 /// Calls visit(entry of the membership) for those in blocks [begin, end).
 template <class Visit>
 void forEachEntry(const Membership& membership, Index begin, Index end, const Visit& visit) {
@@ -39,7 +31,7 @@ void forEachEntry(const Membership& membership, Index begin, Index end, const Vi
 Membership pointsInside(const PointBlocks& blocks, const Region& region) {
   Membership inside;
   for (const Index block : blocks.blocksNear(region)) {
-    if (const std::uint16_t mask = insideMask(blocks.squaredDistances(block, region)); mask != 0) {
+    if (const std::uint16_t mask = blocks.inside(block, region); mask != 0) {
       inside.blocks.push_back(block);
       inside.members.push_back(mask);
     }

@@ -77,9 +77,8 @@ Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Ma
                   float* weights = result.weights.data() +
                                    static_cast<std::size_t>(result.blockStart[b]) * Parameterization::blockSize;
                   for (const Lanes& entry : block.entries()) {
-                    for (std::size_t k = 0; k < entry.size(); ++k) {
-                      *weights++ = static_cast<float>(entry[k] * block.toWeight()[k]);
-                    }
+                    blockKernels().weights(entry.data(), block.toWeight().data(), weights);
+                    weights += Parameterization::blockSize;
                   }
                   unsigned masterMembers = 0;
                   for (unsigned k = 0; k < Parameterization::blockSize; ++k) {

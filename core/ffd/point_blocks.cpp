@@ -3,26 +3,53 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <limits>
 
 namespace pbffd {
 namespace {
 
-constexpr Index fanOut = 8;
+constexpr std::size_t eight = 8;
 constexpr std::size_t grain = 256;
 
 struct Extent {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& lowOfOther, const Vec3& highOfOther) {
+    // In this order, what is not a number is left out.
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], lowOfOther[axis]);
+      high[axis] = std::max(high[axis], highOfOther[axis]);
+    }
+  }
 };
 
 }  // namespace
 
+void PointBlocks::Boxes::set(std::size_t k, const Vec3& low, const Vec3& high) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
+    numbers[eight * axis + k] = 0.5 * (low[at] + high[at]);
+    numbers[eight * (axis + 3) + k] = 0.5 * (high[at] - low[at]);
+  }
+}
+
+Vec3 PointBlocks::Boxes::low(std::size_t k) const {
+  return {numbers[k] - numbers[24 + k], numbers[8 + k] - numbers[32 + k], numbers[16 + k] - numbers[40 + k]};
+}
+
+Vec3 PointBlocks::Boxes::high(std::size_t k) const {
+  return {numbers[k] + numbers[24 + k], numbers[8 + k] + numbers[32 + k], numbers[16 + k] + numbers[40 + k]};
+}
+
 PointBlocks::PointBlocks(const Points& points, const std::vector<Index>& order) {
   const std::size_t blocks = (order.size() + blockSize - 1) / blockSize;
   coordinates_.resize(48 * blocks);
-  levels_.emplace_back(blocks);
+  levels_.emplace_back((blocks + eight - 1) / eight);
+  for (Boxes& boxes : levels_[0]) {
+    boxes.numbers.fill(std::numeric_limits<double>::quiet_NaN());
+  }
   parallelFor(blocks, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
       fillBlock(points, order, block);
@@ -33,77 +60,66 @@ PointBlocks::PointBlocks(const Points& points, const std::vector<Index>& order) 
 
 void PointBlocks::fillBlock(const Points& points, const std::vector<Index>& order, std::size_t block) {
   double* at = &coordinates_[48 * block];
-  std::fill(at, at + 48, std::numeric_limits<double>::quiet_NaN());
   const std::size_t first = block * blockSize;
   const std::size_t count = std::min<std::size_t>(blockSize, order.size() - first);
+  if (count < blockSize) {
+    std::fill(at, at + 48, std::numeric_limits<double>::quiet_NaN());
+  }
   Extent extent;
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3 point = points.row(order[first + k]);
-    for (int axis = 0; axis < 3; ++axis) {
-      at[static_cast<std::size_t>(axis) * blockSize + k] = point[axis];
-      extent.low[axis] = std::min(extent.low[axis], point[axis]);
-      extent.high[axis] = std::max(extent.high[axis], point[axis]);
-    }
+    at[k] = point.x();
+    at[blockSize + k] = point.y();
+    at[2 * blockSize + k] = point.z();
+    extent.add(point, point);
   }
   // A little larger than the points, for the rounding of the centres, here and further up.
   const Vec3 slack =
       64.0 * std::numeric_limits<double>::epsilon() * extent.low.cwiseAbs().cwiseMax(extent.high.cwiseAbs());
-  levels_[0][block] = {0.5 * (extent.low + extent.high), 0.5 * (extent.high - extent.low) + slack};
+  levels_[0][block / eight].set(block % eight, extent.low - slack, extent.high + slack);
 }
 
 void PointBlocks::buildTree() {
   while (levels_.back().size() > 1) {
-    const std::vector<Box>& below = levels_.back();
-    std::vector<Box> above((below.size() + fanOut - 1) / fanOut);
-    for (std::size_t i = 0; i < above.size(); ++i) {
+    const std::vector<Boxes>& below = levels_.back();
+    std::vector<Boxes> above((below.size() + eight - 1) / eight);
+    for (Boxes& boxes : above) {
+      boxes.numbers.fill(std::numeric_limits<double>::quiet_NaN());
+    }
+    for (std::size_t i = 0; i < below.size(); ++i) {
       Extent extent;
-      for (std::size_t k = i * fanOut; k < std::min(below.size(), (i + 1) * fanOut); ++k) {
-        extent.low = extent.low.cwiseMin(below[k].center - below[k].half);
-        extent.high = extent.high.cwiseMax(below[k].center + below[k].half);
+      for (std::size_t k = 0; k < eight; ++k) {
+        extent.add(below[i].low(k), below[i].high(k));
       }
-      above[i] = {0.5 * (extent.low + extent.high), 0.5 * (extent.high - extent.low)};
+      above[i / eight].set(i % eight, extent.low, extent.high);
     }
     levels_.push_back(std::move(above));
   }
 }
 
 Lanes PointBlocks::squaredDistances(Index block, const Region& region) const {
-  const double* x = &coordinates_[48 * static_cast<std::size_t>(block)];
-  const double* y = x + blockSize;
-  const double* z = y + blockSize;
-  const Mat3& m = region.toLocal;
-  const Vec3& center = region.center;
   Lanes squared;
-  for (std::size_t k = 0; k < blockSize; ++k) {
-    const double dx = x[k] - center.x();
-    const double dy = y[k] - center.y();
-    const double dz = z[k] - center.z();
-    const double a = m(0, 0) * dx + m(0, 1) * dy + m(0, 2) * dz;
-    const double b = m(1, 0) * dx + m(1, 1) * dy + m(1, 2) * dz;
-    const double c = m(2, 0) * dx + m(2, 1) * dy + m(2, 2) * dz;
-    squared[k] = a * a + b * b + c * c;
-  }
+  blockKernels().squaredDistances(&coordinates_[48 * static_cast<std::size_t>(block)], region.numbers(),
+                                  squared.data());
   return squared;
 }
 
-bool PointBlocks::mayMeet(const Region& region, const Box& box) {
-  // In the region's own frame: the nearest point of the box that encloses the turned box.
-  const Vec3 center = region.parameter(box.center).cwiseAbs();
-  const Vec3 half = region.toLocal.cwiseAbs() * box.half;
-  return (center - half).cwiseMax(0.0).squaredNorm() < 1.0 + 1e-9;
+std::uint16_t PointBlocks::inside(Index block, const Region& region) const {
+  return static_cast<std::uint16_t>(
+      blockKernels().inside(&coordinates_[48 * static_cast<std::size_t>(block)], region.numbers()));
 }
 
-void PointBlocks::collect(const Region& region, std::size_t level, Index box, std::vector<Index>& found) const {
-  if (!mayMeet(region, levels_[level][static_cast<std::size_t>(box)])) {
-    return;
-  }
-  if (level == 0) {
-    found.push_back(box);
-    return;
-  }
-  const Index end = std::min(static_cast<Index>(levels_[level - 1].size()), (box + 1) * fanOut);
-  for (Index child = box * fanOut; child < end; ++child) {
-    collect(region, level - 1, child, found);
+void PointBlocks::collect(const Region& region, std::size_t level, Index boxes,
+                          std::vector<Index>& found) const {
+  const Boxes& eightBoxes = levels_[level][static_cast<std::size_t>(boxes)];
+  for (unsigned left = blockKernels().meets(eightBoxes.numbers.data(), region.numbers()); left != 0;
+       left &= left - 1) {
+    const Index box = boxes * static_cast<Index>(eight) + std::countr_zero(left);
+    if (level == 0) {
+      found.push_back(box);
+    } else {
+      collect(region, level - 1, box, found);
+    }
   }
 }
 

@@ -3,6 +3,8 @@
 #include "core/ffd/basis.h"
 #include "core/ffd/large_array.h"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace pbffd {
@@ -22,6 +24,9 @@ class PointBlocks {
   /// after the last point.
   Lanes squaredDistances(Index block, const Region& region) const;
 
+  /// Bit k: whether the k-th point of the block is in the region.
+  std::uint16_t inside(Index block, const Region& region) const;
+
   /// Point k of the block.
   Vec3 point(Index block, Index k) const {
     const double* at = &coordinates_[48 * static_cast<std::size_t>(block)];
@@ -32,17 +37,20 @@ class PointBlocks {
   std::vector<Index> blocksNear(const Region& region) const;
 
  private:
-  struct Box {
-    Vec3 center;
-    Vec3 half;  ///< negative for a box of nothing
+  /// Eight boxes: 8 center x, y, z, 8 half x, y, z; a box of nothing is not a number and meets nothing.
+  struct alignas(64) Boxes {
+    std::array<double, 48> numbers;
+
+    void set(std::size_t k, const Vec3& low, const Vec3& high);
+    Vec3 low(std::size_t k) const;
+    Vec3 high(std::size_t k) const;
   };
-  void collect(const Region& region, std::size_t level, Index box, std::vector<Index>& found) const;
-  static bool mayMeet(const Region& region, const Box& box);
+  void collect(const Region& region, std::size_t level, Index boxes, std::vector<Index>& found) const;
   void fillBlock(const Points& points, const std::vector<Index>& order, std::size_t block);
   void buildTree();
 
-  LargeArray<double> coordinates_;        ///< a block's 16 x, 16 y, 16 z
-  std::vector<std::vector<Box>> levels_;  ///< levels_[0]: the blocks; each next: eight of those below
+  LargeArray<double> coordinates_;          ///< a block's 16 x, 16 y, 16 z
+  std::vector<std::vector<Boxes>> levels_;  ///< levels_[0]: the blocks' boxes; each next: those of eights below
 };
 
 }  // namespace pbffd

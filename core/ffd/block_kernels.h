@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Included by files that are compiled for processors with more instructions than the rest of the program:
+// nothing here may define a function that another file could share.
+
+namespace pbffd {
+
+/// The numbers of a Region: center x y z; toLocal column after column.
+struct RegionNumbers {
+  const double* center;
+  const double* toLocal;
+};
+
+/// A radial function: 0 smooth, 1 wendland, 2 gaussian (the order of Kernel).
+struct RadialNumbers {
+  int kernel;
+  double sigma;
+};
+
+/// The inner loops of parameterization and of the exact deformation, over 16 points or 8 boxes at a time. All
+/// variants give the same bits: none contracts a multiplication and an addition.
+struct BlockKernels {
+  /// |u|^2 of 16 points: 16 x, 16 y, 16 z.
+  void (*squaredDistances)(const double* points, const RegionNumbers& region, double* uSquared);
+  /// Bit k: whether |u| < 1 for the k-th point.
+  unsigned (*inside)(const double* points, const RegionNumbers& region);
+  /// Bit k: whether the k-th of 8 boxes may meet the region: 8 center x, y, z, 8 half x, y, z.
+  unsigned (*meets)(const double* boxes, const RegionNumbers& region);
+  /// The basis values of 16 squared distances; 0 from the border on.
+  void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);
+  /// strength x values at the members and 0 at the others; adds them to `sums`.
+  void (*addMembers)(double strength, unsigned members, double* values, double* sums);
+  /// value x toWeight in single precision.
+  void (*weights)(const double* values, const double* toWeight, float* weights);
+};
+
+/// The fastest that both this processor and this build have.
+const BlockKernels& blockKernels();
+
+// One a source file, each compiled for its instructions; nullptr where the compiler does not have them.
+const BlockKernels* blockPlainKernels();
+const BlockKernels* blockAvx2Kernels();
+const BlockKernels* blockAvx512Kernels();
+
+}  // namespace pbffd

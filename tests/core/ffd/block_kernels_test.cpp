@@ -1,0 +1,141 @@
+#include "core/ffd/block_kernels.h"
+#include "core/ffd/basis.h"
+#include "core/ffd/instructions.h"
+#include "tests/core/ffd/scenes.h"
+#include "tests/support/test_main.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace pbffd {
+
+class BlockKernelsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theFastestIsOneThatTheProcessorHas() {
+    bool isKnown = false;
+    for (const BlockKernels* kernels : variants()) {
+      isKnown = isKnown || kernels == &blockKernels();
+    }
+    QVERIFY(isKnown);
+  }
+
+  void everyVariantGivesTheBitsOfTheFormulas() {
+    for (const BlockKernels* kernels : variants()) {
+      for (int trial = 0; trial < 3000; ++trial) {
+        const Region region(frame());
+        const std::array<double, 48> points = numbers<48>(1.0);
+        const Basis basis{static_cast<Kernel>(trial % 3), uniform(0.5, 10.0)};
+        Lanes squared;
+        Lanes values;
+        kernels->squaredDistances(points.data(), region.numbers(), squared.data());
+        kernels->radial({static_cast<int>(basis.kernel), basis.sigma}, squared.data(), values.data());
+        const unsigned inside = kernels->inside(points.data(), region.numbers());
+        for (std::size_t k = 0; k < 16; ++k) {
+          const double expected = region.squaredDistance({points[k], points[16 + k], points[32 + k]});
+          QVERIFY(isSame(squared[k], expected));
+          QVERIFY(isSame(values[k], basisValue(basis, expected)));
+          QCOMPARE((inside >> k & 1U) != 0, expected < 1.0);
+        }
+      }
+    }
+  }
+
+  void membersAloneAreAddedAndWeighed() {
+    for (const BlockKernels* kernels : variants()) {
+      Lanes values;
+      Lanes sums;
+      values.fill(0.5);
+      sums.fill(1.0);
+      kernels->addMembers(3.0, 0x8001U, values.data(), sums.data());
+      std::array<float, 16> weights{};
+      Lanes toWeight;
+      toWeight.fill(0.25);
+      kernels->weights(values.data(), toWeight.data(), weights.data());
+      for (std::size_t k = 0; k < 16; ++k) {
+        const bool isMember = k == 0 || k == 15;
+        QCOMPARE(values[k], isMember ? 1.5 : 0.0);
+        QCOMPARE(sums[k], isMember ? 2.5 : 1.0);
+        QCOMPARE(weights[k], isMember ? 0.375F : 0.0F);
+      }
+    }
+  }
+
+  void boxesThatHoldAPointOfTheRegionMeetIt() {
+    unsigned missed = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+      const Frame rest = frame();
+      const Region region(rest);
+      std::array<double, 48> boxes{};
+      for (std::size_t k = 0; k < 8; ++k) {
+        // Around a point on or within the border, off its middle by less than the half sizes.
+        Vec3 u(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        u *= (k % 2 == 0 ? 1.0 - 1e-12 : uniform(0, 1)) / u.norm();
+        const Vec3 inside = rest.center + rest.axes * u;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double half = uniform(0, 0.1);
+          boxes[24 + 8 * axis + k] = half;
+          boxes[8 * axis + k] = inside[static_cast<Eigen::Index>(axis)] + uniform(-1, 1) * half;
+        }
+      }
+      boxes[5] = std::numeric_limits<double>::quiet_NaN();
+      const unsigned met = variants().front()->meets(boxes.data(), region.numbers());
+      QCOMPARE(met, 0xffU & ~(1U << 5U));
+      boxes[0] += 50.0;
+      for (const BlockKernels* kernels : variants()) {
+        const unsigned farther = kernels->meets(boxes.data(), region.numbers());
+        QCOMPARE(farther, 0xfeU & ~(1U << 5U));
+        missed += farther != met;
+      }
+    }
+    QVERIFY(missed > 0);
+  }
+
+ private:
+  static std::vector<const BlockKernels*> variants() {
+    std::vector<const BlockKernels*> all;
+    for (const auto& [instructions, kernels] : {std::pair(Instructions::plain, blockPlainKernels()),
+                                                std::pair(Instructions::avx2, blockAvx2Kernels()),
+                                                std::pair(Instructions::avx512, blockAvx512Kernels())}) {
+      if (kernels != nullptr && hasInstructions(instructions)) {
+        all.push_back(kernels);
+      }
+    }
+    return all;
+  }
+
+  static bool isSame(double a, double b) { return std::memcmp(&a, &b, sizeof(double)) == 0; }
+
+  double uniform(double low, double high) { return low + (high - low) * (chance_() / 4294967296.0); }
+
+  template <std::size_t count>
+  std::array<double, count> numbers(double size) {
+    std::array<double, count> result;
+    for (double& number : result) {
+      number = uniform(-size, size);
+    }
+    return result;
+  }
+
+  Frame frame() {
+    const Vec3 axes(uniform(0.2, 1), uniform(0.2, 1), uniform(0.2, 1));
+    const Vec3 turn(uniform(-1, 1), uniform(-1, 1), 1);
+    return {Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)),
+            test::Scene::turnBy(turn) * axes.asDiagonal()};
+  }
+
+  std::mt19937 chance_{11};
+};
+
+const test::Registration<BlockKernelsTest> registration;
+
+}  // namespace pbffd
+
+#include "block_kernels_test.moc"

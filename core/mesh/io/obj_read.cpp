@@ -84,6 +84,7 @@ class ObjReader {
   Mesh read();
 
  private:
+  void reserve();
   void readStatement(std::string_view keyword);
   void readVertex();
   void readTextureCoordinates();
@@ -110,7 +111,15 @@ class ObjReader {
   OtherStatements others_;
 };
 
+void ObjReader::reserve() {
+  const ObjCounts counts = estimateObjCounts(input_.bytes);
+  positions_.reserve(3 * counts.vertices);
+  normals_.reserve(3 * counts.normals);
+  mesh_.faces.reserve(counts.faces, 3 * counts.faces);
+}
+
 Mesh ObjReader::read() {
+  reserve();
   std::size_t statements = 0;
   for (std::string_view word = scanner_.wordAnywhere(); !word.empty(); word = scanner_.firstWordOfNextLine()) {
     readStatement(word);

@@ -54,6 +54,23 @@ std::optional<ObjCorner> parseObjCorner(std::string_view word) {
   return ObjCorner{*parts[0], parts[1], parts[2]};
 }
 
+ObjCounts estimateObjCounts(std::string_view bytes) {
+  ObjCounts counts;
+  for (std::size_t line = 0; line < bytes.size();) {
+    const std::string_view start = bytes.substr(line, 3);
+    if (start.starts_with("v ")) {
+      ++counts.vertices;
+    } else if (start.starts_with("f ")) {
+      ++counts.faces;
+    } else if (start == "vn ") {
+      ++counts.normals;
+    }
+    const std::size_t end = bytes.find('\n', line);
+    line = end == std::string_view::npos ? bytes.size() : end + 1;
+  }
+  return counts;
+}
+
 void OtherStatements::note(std::string_view keyword, const TextScanner& scanner) {
   if (isPlain(keyword)) {
     return;

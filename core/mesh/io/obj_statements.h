@@ -23,6 +23,14 @@ struct ObjCorner {
 /// Nothing where the word is no corner.
 std::optional<ObjCorner> parseObjCorner(std::string_view word);
 
+/// About how many statements of each kind a file has, to set room aside: from the first letters of its lines.
+struct ObjCounts {
+  std::size_t vertices = 0;
+  std::size_t normals = 0;
+  std::size_t faces = 0;
+};
+ObjCounts estimateObjCounts(std::string_view bytes);
+
 /// Keeps account of the statements that give the mesh neither vertices nor faces.
 class OtherStatements {
  public:

@@ -17,6 +17,7 @@ void addInfo(CLI::App& app, Action& action);
 void addPlace(CLI::App& app, Action& action);
 void addEdit(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addApply(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 
 }  // namespace pbffd::cli

@@ -53,6 +53,9 @@ int main(int argc, char** argv) {
   cli::addPlace(app, action);
   cli::addEdit(app, action);
   cli::addExport(app, action);
+#ifdef PBFFD_APPLY
+  cli::addApply(app, action);
+#endif
   cli::addBench(app, action);
   try {
     app.parse(argc, argv);

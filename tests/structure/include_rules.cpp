@@ -39,7 +39,9 @@ const std::vector<Layer>& layers() {
       {"ui/controllers", uiShown},
       {"ui/window", uiAll},
       {"app/dataset", core},
+      {"app/apply_mpi", joined(core, {"app/dataset"})},
       {"app/cli", joined(core, {"app/dataset"})},
+      {"app/apply_mpi", joined(core, {"app/dataset"})},
       {"app/workbench", joined(uiAll, {"ui/window", "app/dataset"})},
   };
   return all;
@@ -54,7 +56,7 @@ struct Library {
 
 const std::vector<Library>& libraries() {
   static const std::vector<Library> all{
-      {"VTK", std::regex("vtk.*|QVTK.*"), {"ui/views/", "app/dataset/"}},
+      {"VTK", std::regex("vtk.*|QVTK.*"), {"ui/views/", "app/dataset/", "app/apply_mpi/ranks.cpp"}},
       {"Qt", std::regex("Q[A-Zt].*|q[a-z]+\\.h"), {"ui/", "app/workbench/"}},
       {"Qhull", std::regex("libqhull.*"), {"core/mesh/qhull_delaunay.cpp"}},
       {"OpenMesh", std::regex("OpenMesh/.*"), {"core/mesh/topology.cpp"}},
@@ -63,8 +65,8 @@ const std::vector<Library>& libraries() {
       {"OpenSSL", std::regex("openssl/.*"), {"core/base/file.cpp"}},
       {"fmt", std::regex("fmt/.*"), {"core/base/text.h"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"core/project/project_file", "core/project/archive"}},
-      {"nlohmann-json", std::regex("nlohmann/.*"), {"core/project/", "app/cli/"}},
-      {"CLI11", std::regex("CLI/.*"), {"app/cli/"}},
+      {"nlohmann-json", std::regex("nlohmann/.*"), {"core/project/", "app/cli/", "app/dataset/gltf_"}},
+      {"CLI11", std::regex("CLI/.*"), {"app/cli/", "app/apply_mpi/main.cpp"}},
       {"Eigen", std::regex("Eigen/.*"), {"core/", "ui/", "app/"}},
       // Headers of the standard have no ending, those of the system end in .h.
       {"the standard library", std::regex("[a-z_0-9]+"), {"core/", "ui/", "app/"}},

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/dataset/field_transport.h"
+#include "core/base/progress.h"
+#include "core/project/project.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pbffd {
+
+/// How a project's deformation is applied to another file.
+struct ApplyOptions {
+  /// Fit place, size and turn of the other mesh to the project's first (alignSimilar).
+  bool align = false;
+  /// The arrays of a VTK data set that turn along.
+  std::vector<Transport> transports;
+};
+
+struct ApplyReport {
+  std::int64_t points = 0;
+  std::size_t pieces = 1;
+  std::vector<std::string> remarks;  ///< what the user should know, a sentence each
+};
+
+/// Writes `source` as `target` with its points where the project's deformation takes them: another mesh, a
+/// point cloud, a VTK data set, whole or partitioned, a glTF model (contract, sections 1 and 4). What knows no
+/// point stays as it is. The target appears when it is whole, of a partitioned one the index last. Throws
+/// InvalidInput, IoError that name the file and the piece; Cancelled; the target is then untouched.
+ApplyReport applyToFile(const Project& project, const std::filesystem::path& source,
+                        const std::filesystem::path& target, const ApplyOptions& options = {},
+                        const Progress& progress = {});
+
+/// The endings that applyToFile() reads, for messages and file dialogs: ".obj, .off, ...".
+std::string applicableEndings();
+bool isApplicable(const std::filesystem::path& path);
+
+}  // namespace pbffd

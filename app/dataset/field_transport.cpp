@@ -1,0 +1,48 @@
+#include "app/dataset/field_transport.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+
+namespace pbffd {
+
+Transport parseTransport(std::string_view text) {
+  Transport transport{std::string(text), std::nullopt};
+  for (const auto& [ending, kind] : {std::pair{std::string_view(":vector"), FieldKind::vector},
+                                     std::pair{std::string_view(":normal"), FieldKind::normal}}) {
+    if (text.ends_with(ending)) {
+      transport = {std::string(text.substr(0, text.size() - ending.size())), kind};
+    }
+  }
+  if (transport.array.empty()) {
+    throw InvalidInput(
+        format("Could not tell which array to transport: '{}' names none. Give NAME, NAME:vector or "
+               "NAME:normal.",
+               text));
+  }
+  return transport;
+}
+
+bool namesNormals(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == "normal" || lower == "normals" || lower.ends_with("normals");
+}
+
+Vec3 transported(const Mat3& gradient, const Vec3& value, FieldKind kind) {
+  if (kind == FieldKind::vector) {
+    return gradient * value;
+  }
+  // The cofactors need no inverse, and keep the side of the surface where the deformation mirrors.
+  const Vec3 turned = value.x() * gradient.col(1).cross(gradient.col(2)) +
+                      value.y() * gradient.col(2).cross(gradient.col(0)) +
+                      value.z() * gradient.col(0).cross(gradient.col(1));
+  const double length = turned.norm();
+  return length > 0.0 ? Vec3(turned * (value.norm() / length)) : value;
+}
+
+}  // namespace pbffd

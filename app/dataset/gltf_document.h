@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/types.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pbffd {
+
+/// A glTF file with its buffers in memory.
+class GltfDocument {
+ public:
+  /// Throws IoError, or InvalidInput that names the file and the place in it.
+  explicit GltfDocument(const std::filesystem::path& path);
+
+  const nlohmann::ordered_json& json() const { return json_; }
+  /// An array of the top level; empty where there is none.
+  const nlohmann::ordered_json& list(const char* name) const;
+  const std::filesystem::path& path() const { return path_; }
+
+  std::int64_t count(std::size_t accessor) const;
+
+  /// The rows of an accessor of real numbers, `width` a row: N x width. Throws InvalidInput where it is of
+  /// another kind, or reaches beyond its buffer.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Rows rows(std::size_t accessor, int width) const;
+
+  /// Writes rows of the same number and width back, rounded to single precision, with the accessor's new
+  /// bounds where it has any.
+  void setRows(std::size_t accessor, const Rows& rows);
+
+  /// A file that is called `target`, and the files beside it that its changed buffers become.
+  struct Files {
+    std::string bytes;
+    std::vector<std::pair<std::string, const std::string*>> buffers;  ///< name, content
+  };
+  Files encode(const std::filesystem::path& target) const;
+
+  /// The files that it names and that encode() does not give anew: images, buffers that did not change.
+  std::vector<std::string> filesBeside() const;
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  enum class Storage { chunk, text, file };
+  struct Buffer {
+    std::string bytes;
+    Storage storage = Storage::chunk;
+    bool isChanged = false;
+  };
+  struct Place {
+    std::size_t buffer;
+    std::size_t begin;
+    std::size_t stride;
+    std::size_t count;
+  };
+
+  void readBinary(const std::string& bytes);
+  void readBuffers();
+  std::size_t number(const nlohmann::ordered_json& object, const char* key, std::size_t otherwise) const;
+  Place placeOf(std::size_t accessor, int width) const;
+  std::string encodeBinary(const nlohmann::ordered_json& json) const;
+
+  std::filesystem::path path_;
+  bool isBinary_ = false;
+  nlohmann::ordered_json json_;
+  std::string chunk_;        ///< the BIN chunk
+  std::string laterChunks_;  ///< with their headers
+  std::vector<Buffer> buffers_;
+};
+
+}  // namespace pbffd

@@ -1,0 +1,119 @@
+#include "app/dataset/partition.h"
+
+#include "app/dataset/dataset.h"
+#include "app/dataset/xml_tags.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
+
+#include <set>
+#include <system_error>
+
+namespace pbffd {
+namespace fs = std::filesystem;
+namespace {
+
+/// Where a piece lies below the folder of the new index: its own relative name, without leaving that folder.
+fs::path relativeName(const fs::path& name) {
+  if (name.is_absolute()) {
+    return name.filename();
+  }
+  fs::path relative;
+  for (const fs::path& part : name.lexically_normal()) {
+    if (part != "..") {
+      relative /= part;
+    }
+  }
+  return relative;
+}
+
+bool isSameFolder(const fs::path& a, const fs::path& b) {
+  const auto folder = [](const fs::path& path) {
+    return path.parent_path().empty() ? fs::path(".") : path.parent_path();
+  };
+  std::error_code notThere;
+  return fs::equivalent(folder(a), folder(b), notThere);
+}
+
+/// Where below the folder of the new index the pieces go; empty for that folder itself.
+fs::path piecesFolder(const fs::path& index, const fs::path& target) {
+  const bool isInPlace = index.filename() == target.filename();
+  return isSameFolder(index, target) && !isInPlace ? target.stem() : fs::path();
+}
+
+void requirePieces(const Partition& partition) {
+  std::set<fs::path> targets;
+  for (std::size_t p = 0; p < partition.pieces.size(); ++p) {
+    const Partition::Piece& piece = partition.pieces[p];
+    std::error_code ignored;
+    if (!fs::exists(piece.source, ignored)) {
+      throw InvalidInput(format(
+          "Could not read {}: the file of {} does not exist. Put it back at {}, or take it out of the index.",
+          partition.index.string(), describePiece(partition, p), piece.source.string()));
+    }
+    if (!targets.insert(piece.target).second) {
+      throw InvalidInput(
+          format("Could not read {}: {} would be written to {}, like another piece. Give each piece "
+                 "a name of its own.",
+                 partition.index.string(), describePiece(partition, p), piece.target.string()));
+    }
+    for (const Partition::Piece& other : partition.pieces) {
+      if (&other != &piece && fs::equivalent(piece.target, other.source, ignored)) {
+        throw InvalidInput(format("Could not write {}: it is {} of the source. Choose another folder.",
+                                  piece.target.string(), describePiece(partition, p)));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool isPartition(const fs::path& path) {
+  return endingOf(path) == ".pvtu" || endingOf(path) == ".pvtp";
+}
+
+Partition readPartition(const fs::path& index, const fs::path& target) {
+  requireSameEnding(index, target);
+  Partition partition{index, readFile(index), {}};
+  const fs::path below = piecesFolder(index, target);
+  try {
+    for (const XmlTag& tag : scanXmlTags(partition.text)) {
+      const XmlTag::Attribute* source = tag.find("Source");
+      if (tag.name != "Piece" || tag.isEnd || source == nullptr) {
+        continue;
+      }
+      const fs::path name = below / relativeName(source->value);
+      partition.pieces.push_back({index.parent_path() / source->value, target.parent_path() / name,
+                                  name.generic_string(), source->begin, source->end});
+    }
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(
+        format("Could not read {}: {}. The file is damaged; write it anew.", index.string(), error.what()));
+  }
+  if (partition.pieces.empty()) {
+    throw InvalidInput(
+        format("Could not read {}: it names no piece (<Piece Source=\"...\">). Is it the index of a "
+               "partitioned data set?",
+               index.string()));
+  }
+  requirePieces(partition);
+  return partition;
+}
+
+std::string indexText(const Partition& partition) {
+  std::string text;
+  std::size_t at = 0;
+  for (const Partition::Piece& piece : partition.pieces) {
+    text.append(partition.text, at, piece.begin - at);
+    text += escapedForXml(piece.targetName);
+    at = piece.end;
+  }
+  return text + partition.text.substr(at);
+}
+
+std::string describePiece(const Partition& partition, std::size_t piece) {
+  return format("piece {} of {} ({})", piece + 1, partition.pieces.size(),
+                partition.pieces[piece].source.lexically_normal().string());
+}
+
+}  // namespace pbffd

@@ -1,0 +1,92 @@
+#include "app/dataset/vtk_dataset.h"
+
+#include "app/dataset/vtk_cell_kinds.h"
+#include "app/dataset/vtk_fields.h"
+#include "app/dataset/vtk_files.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <vtkCellTypes.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+namespace pbffd {
+namespace {
+
+bool hasVolume(vtkPointSet& data) {
+  if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(&data)) {
+    const vtkNew<vtkCellTypes> types;
+    grid->GetCellTypes(types);
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i) {
+      if (isVolumeCell(types->GetCellType(i))) {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkStructuredGrid* structured = vtkStructuredGrid::SafeDownCast(&data);
+  return structured != nullptr && structured->GetDataDimension() == 3;
+}
+
+class VtkDataset : public Dataset {
+ public:
+  VtkDataset(std::filesystem::path path, VtkFile file) : path_(std::move(path)), file_(std::move(file)) {}
+
+  std::int64_t pointCount() const override { return file_.data->GetNumberOfPoints(); }
+  bool hasVolumeCells() const override { return hasVolume(*file_.data); }
+
+  Points sample(std::int64_t stride) const override {
+    const std::int64_t count = (pointCount() + stride - 1) / stride;
+    Points points(count, 3);
+    for (std::int64_t i = 0; i < count; ++i) {
+      Vec3 point;
+      file_.data->GetPoint(i * stride, point.data());
+      points.row(i) = point;
+    }
+    return points;
+  }
+
+  std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
+                                 const Carrying& carrying) override {
+    requireSameEnding(path_, target);
+    const VtkFields fields = fieldsOf(*file_.data, carrying.transports, path_);
+    if (pointCount() > 0) {
+      deform(*file_.data, fields, carrying);
+    }
+    writeVtkFile(file_, staged.add(target), target, carrying.progress);
+    return remarks(fields);
+  }
+
+ private:
+  std::vector<std::string> remarks(const VtkFields& fields) const {
+    vtkDataArray* normals = file_.data->GetPointData()->GetNormals();
+    if (normals == nullptr || normals->GetName() == nullptr) {
+      return {};
+    }
+    for (const VtkField& field : fields.ofPoints) {
+      if (field.array == normals) {
+        return {};
+      }
+    }
+    return {format("The normals '{}' of {} were kept as they are; --transport {} turns them along.",
+                   normals->GetName(), path_.string(), normals->GetName())};
+  }
+
+  std::filesystem::path path_;
+  VtkFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Dataset> openVtkDataset(const std::filesystem::path& path, const Progress& progress) {
+  return std::make_unique<VtkDataset>(path, readVtkFile(path, progress));
+}
+
+}  // namespace pbffd

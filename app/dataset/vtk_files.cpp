@@ -1,0 +1,192 @@
+#include "app/dataset/vtk_files.h"
+
+#include "app/dataset/dataset.h"
+#include "app/dataset/vtk_watch.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <unistd.h>
+#include <vtkDataWriter.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkStructuredGrid.h>
+#include <vtkStructuredGridReader.h>
+#include <vtkStructuredGridWriter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLStructuredGridWriter.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace pbffd {
+namespace {
+
+void requireReadable(const std::filesystem::path& path) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+    throw IoError(format("Could not read {}: it is a folder. Name a file.", path.string()));
+  }
+  if (::access(path.c_str(), R_OK) != 0) {
+    throw IoError(format("Could not read {}: {}. Check the name and the permissions.", path.string(),
+                         std::generic_category().message(errno)));
+  }
+}
+
+/// Runs a reader whose output is what it reads.
+template <class Reader>
+vtkSmartPointer<vtkPointSet> read(Reader& reader, const std::filesystem::path& path, const Progress& progress) {
+  const VtkWatch watch(reader, "Reading " + path.filename().string(), progress);
+  reader.SetFileName(path.c_str());
+  reader.Update();
+  watch.throwIfCancelled();
+  if (const std::string errors = watch.errors(); !errors.empty() || reader.GetErrorCode() != 0) {
+    throw InvalidInput(
+        format("Could not read {}: {}. The file may be cut short or damaged; write it anew, or open it in the "
+               "program that made it.",
+               path.string(),
+               errors.empty() ? vtkErrorCode::GetStringFromErrorCode(reader.GetErrorCode()) : errors.c_str()));
+  }
+  return vtkSmartPointer<vtkPointSet>(reader.GetOutput());
+}
+
+template <class Reader>
+VtkFile readXml(const std::filesystem::path& path, const Progress& progress) {
+  const vtkNew<Reader> reader;
+  VtkFile file;
+  file.xml = xmlSettingsOf(path);
+  file.data = read(*reader, path, progress);
+  return file;
+}
+
+template <class Reader>
+VtkFile readLegacy(const std::filesystem::path& path, const LegacyHeader& header, const Progress& progress) {
+  const vtkNew<Reader> reader;
+  // By default only the first array of each kind is read.
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  VtkFile file;
+  file.legacy = header;
+  file.data = read(*reader, path, progress);
+  file.legacyType = reader->GetFileType();
+  file.title = reader->GetHeader() == nullptr ? "" : reader->GetHeader();
+  return file;
+}
+
+VtkFile readAnyLegacy(const std::filesystem::path& path, const Progress& progress) {
+  const LegacyHeader header = legacyHeaderOf(path);
+  if (header.dataset == "UNSTRUCTURED_GRID") {
+    return readLegacy<vtkUnstructuredGridReader>(path, header, progress);
+  }
+  if (header.dataset == "POLYDATA") {
+    return readLegacy<vtkPolyDataReader>(path, header, progress);
+  }
+  if (header.dataset == "STRUCTURED_GRID") {
+    return readLegacy<vtkStructuredGridReader>(path, header, progress);
+  }
+  throw InvalidInput(
+      header.dataset.empty()
+          ? format(
+                "Could not read {}: no line 'DATASET ...' stands in its header, so it is no legacy VTK file.",
+                path.string())
+          : format("Could not apply the project to {}: a data set of the kind {} has no points of its own that "
+                   "could move. Convert it to an unstructured grid (.vtu) first.",
+                   path.string(), header.dataset));
+}
+
+template <class Writer>
+void run(Writer& writer, const std::filesystem::path& path, const std::filesystem::path& name,
+         const Progress& progress) {
+  const VtkWatch watch(writer, "Writing " + name.filename().string(), progress);
+  writer.SetFileName(path.c_str());
+  const int isWritten = writer.Write();
+  watch.throwIfCancelled();
+  if (isWritten == 0 || writer.GetErrorCode() != 0 || !watch.errors().empty()) {
+    const unsigned long code = writer.GetErrorCode();
+    const std::string why = code == vtkErrorCode::OutOfDiskSpaceError ? "there is no space left on the disk"
+                            : !watch.errors().empty()                 ? watch.errors()
+                                                      : std::string(vtkErrorCode::GetStringFromErrorCode(code));
+    throw IoError(format("Could not write {}: {}. Make room, or choose another place.", name.string(), why));
+  }
+}
+
+template <class Writer>
+void writeXml(const VtkFile& file, const std::filesystem::path& path, const std::filesystem::path& name,
+              const Progress& progress) {
+  const vtkNew<Writer> writer;
+  writer->SetInputData(file.data);
+  if (file.xml.byteOrder == "BigEndian") {
+    writer->SetByteOrderToBigEndian();
+  } else if (file.xml.byteOrder == "LittleEndian") {
+    writer->SetByteOrderToLittleEndian();
+  }
+  writer->SetHeaderType(file.xml.headerType == "UInt64" ? vtkXMLWriter::UInt64 : vtkXMLWriter::UInt32);
+  writer->SetCompressorType(file.xml.compressor == "vtkZLibDataCompressor"   ? vtkXMLWriter::ZLIB
+                            : file.xml.compressor == "vtkLZ4DataCompressor"  ? vtkXMLWriter::LZ4
+                            : file.xml.compressor == "vtkLZMADataCompressor" ? vtkXMLWriter::LZMA
+                                                                             : vtkXMLWriter::NONE);
+  writer->SetDataMode(file.xml.format == "ascii"    ? vtkXMLWriter::Ascii
+                      : file.xml.format == "binary" ? vtkXMLWriter::Binary
+                                                    : vtkXMLWriter::Appended);
+  writer->SetEncodeAppendedData(file.xml.encoding == "base64" ? 1 : 0);
+  run(*writer, path, name, progress);
+}
+
+template <class Writer>
+void writeLegacy(const VtkFile& file, const std::filesystem::path& path, const std::filesystem::path& name,
+                 const Progress& progress) {
+  const vtkNew<Writer> writer;
+  writer->SetInputData(file.data);
+  writer->SetFileType(file.legacyType);
+  writer->SetHeader(file.title.c_str());
+  writer->SetFileVersion(file.legacy.version < 50 ? vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2
+                                                  : vtkDataWriter::VTK_LEGACY_READER_VERSION_5_1);
+  run(*writer, path, name, progress);
+}
+
+}  // namespace
+
+VtkFile readVtkFile(const std::filesystem::path& path, const Progress& progress) {
+  requireReadable(path);
+  const std::string ending = endingOf(path);
+  if (ending == ".vtu") {
+    return readXml<vtkXMLUnstructuredGridReader>(path, progress);
+  }
+  if (ending == ".vtp") {
+    return readXml<vtkXMLPolyDataReader>(path, progress);
+  }
+  if (ending == ".vts") {
+    return readXml<vtkXMLStructuredGridReader>(path, progress);
+  }
+  return readAnyLegacy(path, progress);
+}
+
+void writeVtkFile(const VtkFile& file, const std::filesystem::path& path, const std::filesystem::path& name,
+                  const Progress& progress) {
+  const bool isLegacy = !file.legacy.dataset.empty();
+  if (vtkUnstructuredGrid::SafeDownCast(file.data) != nullptr) {
+    isLegacy ? writeLegacy<vtkUnstructuredGridWriter>(file, path, name, progress)
+             : writeXml<vtkXMLUnstructuredGridWriter>(file, path, name, progress);
+  } else if (vtkPolyData::SafeDownCast(file.data) != nullptr) {
+    isLegacy ? writeLegacy<vtkPolyDataWriter>(file, path, name, progress)
+             : writeXml<vtkXMLPolyDataWriter>(file, path, name, progress);
+  } else {
+    isLegacy ? writeLegacy<vtkStructuredGridWriter>(file, path, name, progress)
+             : writeXml<vtkXMLStructuredGridWriter>(file, path, name, progress);
+  }
+}
+
+}  // namespace pbffd

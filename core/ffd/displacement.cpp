@@ -1,8 +1,7 @@
 #include "core/ffd/displacement.h"
 
 #include "core/base/error.h"
-
-#include <fmt/format.h>
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -34,7 +33,7 @@ bool LevelDisplacements::touches(const BlockList& list) const {
 
 void requireFitting(const Parameterization& weights, const RestMesh& mesh, const Level& level) {
   if (weights.vertexCount != mesh.vertexCount() || weights.pointCount != level.size()) {
-    throw InvalidInput(fmt::format(
+    throw InvalidInput(format(
         "The mesh cannot be deformed: its weights are of {} vertices and {} control points, but there are "
         "{} and {}. Compute the weights anew.",
         weights.vertexCount, weights.pointCount, mesh.vertexCount(), level.size()));

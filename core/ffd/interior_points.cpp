@@ -19,6 +19,28 @@ constexpr double sliverShareOfDiagonal = 0.01;
 /// ... unless the part is that thin: half of the radius that is usual in its volume.
 constexpr double sliverShareOfUsual = 0.5;
 
+/// The sites of a Voronoi vertex vote by their normals; the vote counts when all agree and none of the normals
+/// stands across the way to the vertex. Measured: then 0 to 0.01 % of the votes on a simple closed mesh are
+/// wrong, but 2 % where shells lie in each other, and 0.1 % where a mesh runs through itself.
+constexpr double clearVote = 0.4;
+/// One vote in so many is checked by the winding number; if any is wrong, none counts.
+constexpr std::uint64_t votesToCheck = 16;
+
+enum class Vote : std::uint8_t { open, inside, outside };
+
+Vote voteOn(Index vertex, const SurfaceSamples& sites, const VoronoiVertices& vertices) {
+  double least = 1.0;
+  double greatest = -1.0;
+  for (const Index site : vertices.sites(vertex)) {
+    const double cosine =
+        (vertices.positions.row(vertex) - sites.positions.row(site)).dot(sites.normals.row(site)) /
+        vertices.radii[static_cast<std::size_t>(vertex)];
+    least = std::min(least, cosine);
+    greatest = std::max(greatest, cosine);
+  }
+  return greatest < -clearVote ? Vote::inside : least > clearVote ? Vote::outside : Vote::open;
+}
+
 /// The radius that half of the volume is on either side of, each ball counting with its volume.
 double usualRadius(std::vector<double> radii) {
   std::sort(radii.begin(), radii.end());
@@ -68,7 +90,7 @@ std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double cell, unsign
       points(static_cast<Index>(i), axis) = bounds.low[axis] + cell * (static_cast<double>(at[axis]) + shift);
     }
   }
-  const std::vector<bool> isInside = insideFlags(parts, points, progress);
+  const std::vector<bool> isInside = parts.insideFlags(points, progress);
   std::vector<Vec3> inside;
   for (std::size_t i = 0; i < total; ++i) {
     if (isInside[i]) {
@@ -104,15 +126,48 @@ double spacingIn(double volume, Index target) {
 
 }  // namespace
 
-std::vector<bool> insideFlags(const SurfaceParts& parts, const Points& points, const Progress& progress) {
-  std::vector<std::uint8_t> flags(static_cast<std::size_t>(points.rows()));
-  parallelFor(flags.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
-      flags[i] = parts.isInside(points.row(static_cast<Index>(i)));
+std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
+                              const VoronoiVertices& vertices, const Progress& progress) {
+  const auto count = static_cast<std::size_t>(vertices.size());
+  std::vector<Vote> votes(count, Vote::open);
+  if (parts.countOf(true) == 1) {
+    parallelFor(count, 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        votes[v] = voteOn(static_cast<Index>(v), sites, vertices);
+      }
+    });
+  }
+  std::vector<Index> open;
+  std::vector<Index> sample;
+  for (std::size_t v = 0; v < count; ++v) {
+    if (votes[v] == Vote::open) {
+      open.push_back(static_cast<Index>(v));
+    } else if (scrambled(v) % votesToCheck == 0) {
+      sample.push_back(static_cast<Index>(v));
     }
-  });
-  progress.throwIfCancelled();
-  return {flags.begin(), flags.end()};
+  }
+  const auto decide = [&](const std::vector<Index>& rows) {
+    Points points(static_cast<Index>(rows.size()), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      points.row(static_cast<Index>(i)) = vertices.positions.row(rows[i]);
+    }
+    return parts.insideFlags(points, progress);
+  };
+  const std::vector<bool> checked = decide(sample);
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    if (checked[i] != (votes[sample[i]] == Vote::inside)) {
+      return parts.insideFlags(vertices.positions, progress);
+    }
+  }
+  const std::vector<bool> decided = decide(open);
+  std::vector<bool> isInside(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    isInside[v] = votes[v] == Vote::inside;
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    isInside[open[i]] = decided[i];
+  }
+  return isInside;
 }
 
 PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites,
@@ -128,7 +183,7 @@ PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& s
     return {};
   }
   progress.report("Placing points: inside");
-  const std::vector<bool> isInside = insideFlags(parts, vertices.positions, progress);
+  const std::vector<bool> isInside = insideFlags(parts, sites, vertices, progress);
   PointPool inside;
   std::vector<double> radii;
   for (Index v = 0; v < vertices.size(); ++v) {

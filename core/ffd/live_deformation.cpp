@@ -1,12 +1,11 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/ffd/deformation.h"
 #include "core/ffd/displacement.h"
 #include "core/ffd/live_kernel.h"
 #include "core/ffd/slot_mesh.h"
 #include "core/ffd/touched_blocks.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -166,7 +165,7 @@ LiveDeformation::LiveDeformation(std::shared_ptr<const RestMesh> mesh,
         "bestInstructions().");
   }
   if (weights->vertexCount != mesh->vertexCount()) {
-    throw InvalidInput(fmt::format(
+    throw InvalidInput(format(
         "The mesh cannot be deformed: its weights are of {} vertices, but it has {}. Compute the weights anew.",
         weights->vertexCount, mesh->vertexCount()));
   }
@@ -190,9 +189,9 @@ void LiveDeformation::updateNormals() {
 Index LiveDeformation::updatePositions(const LevelMaps& maps) {
   if (maps.points.size() != state_->maps.points.size()) {
     throw InvalidInput(
-        fmt::format("The mesh cannot be deformed: its weights are of {} control points, but there are {}. "
-                    "Compute the weights anew.",
-                    state_->maps.points.size(), maps.points.size()));
+        format("The mesh cannot be deformed: its weights are of {} control points, but there are {}. "
+               "Compute the weights anew.",
+               state_->maps.points.size(), maps.points.size()));
   }
   const std::vector<Index> blocks = state_->blocksToEvaluate(maps);
   state_->maps = maps;

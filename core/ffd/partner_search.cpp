@@ -16,6 +16,7 @@ struct PartnerSearch::Query {
   Index place;
   Vec3 from;
   Partner best;
+  bool withFactor;  ///< or by distance alone
 
   /// Whether a partner at this squared distance, of this place or a higher one, could still be better.
   bool mayImprove(double squared, Index lowestPlace) const {
@@ -114,10 +115,24 @@ double PartnerSearch::squaredDistance(const Node& node, const Vec3& from) const 
 }
 
 PartnerSearch::Partner PartnerSearch::best(Index place) const {
-  Query query{place, point(place), {}};
+  Query query{place, point(place), {}, false};
+  search(query);
+  if (!rules_.factor || query.best.place < 0) {
+    return query.best;
+  }
+  // Mostly the nearest one is not put back, and then nothing else needs to be asked for.
+  if (rules_.factor(query.from, point(query.best.place)) == 1.0) {
+    return query.best;
+  }
+  query = {place, query.from, {}, true};
+  search(query);
+  return query.best;
+}
+
+void PartnerSearch::search(Query& query) const {
   std::array<std::pair<Index, double>, 128> open;
   std::size_t size = 0;
-  open[size++] = {rootOf_[place], 0.0};
+  open[size++] = {rootOf_[query.place], 0.0};
   while (size > 0) {
     const auto [index, squared] = open[--size];
     const Node& node = nodes_[index];
@@ -134,7 +149,6 @@ PartnerSearch::Partner PartnerSearch::best(Index place) const {
     open[size++] = leftFirst ? std::pair(node.left + 1, right) : std::pair(node.left, left);
     open[size++] = leftFirst ? std::pair(node.left, left) : std::pair(node.left + 1, right);
   }
-  return query.best;
 }
 
 void PartnerSearch::visitLeaf(const Node& leaf, Query& query) const {
@@ -148,7 +162,7 @@ void PartnerSearch::visitLeaf(const Node& leaf, Query& query) const {
     if (!query.mayImprove(squared, other)) {
       continue;
     }
-    const double factor = rules_.factor ? rules_.factor(query.from, at) : 1.0;
+    const double factor = query.withFactor ? rules_.factor(query.from, at) : 1.0;
     if (std::isfinite(factor) && query.mayImprove(squared * factor, other)) {
       query.best = {other, squared * factor};
     }

@@ -44,6 +44,7 @@ class PartnerSearch {
   void build();
   Index addNode(Index begin, Index end, Index parent);
   void split(Index node);
+  void search(Query& query) const;
   void visitLeaf(const Node& leaf, Query& query) const;
   double squaredDistance(const Node& node, const Vec3& from) const;
 

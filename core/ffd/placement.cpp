@@ -11,7 +11,6 @@
 #include <cmath>
 
 namespace pbffd {
-namespace {
 
 void requirePlaceable(const RestMesh& mesh) {
   constexpr auto what = "Control points cannot be placed: ";
@@ -38,6 +37,8 @@ void requirePlaceable(const RestMesh& mesh) {
                               mesh.vertexCount()));
   }
 }
+
+namespace {
 
 /// How many points go where.
 struct Shares {
@@ -121,7 +122,7 @@ Places choosePlaces(const PlacementCache& cache, const PlacementOptions& options
   places.pool = decimatedPool(inside, shares.interior, Side::inside, parts, progress);
   places.interior = places.pool.size();
   const PointPool outside = decimatedPool(exterior.outside, shares.exterior, Side::outside, parts, progress);
-  const PointPool around = decimatedPool(exterior.around, shares.around, Side::either, parts, progress);
+  const PointPool around = decimatedPool(exterior.around, shares.around, Side::outside, parts, progress);
   for (const PointPool* more : {&outside, &around}) {
     for (Index i = 0; i < more->size(); ++i) {
       places.pool.append(more->points.row(i), more->parts[i]);

@@ -40,6 +40,10 @@ PlacementOptions paperOptions();
 /// Throws InvalidInput that names the option, its value and what is allowed.
 void requireValid(const PlacementOptions& options);
 
+/// Throws InvalidInput for a mesh that no control points can be placed on: without faces, with coordinates
+/// that are not finite, with all vertices on a line or in a point.
+void requirePlaceable(const RestMesh& mesh);
+
 /// What placement computes before the number of points matters (Voronoi vertices inside, exterior
 /// candidates); kept by the caller so that another number of points costs little.
 class PlacementCache;

@@ -23,8 +23,8 @@ MergeRules rulesFor(const PointPool& pool, Index target, Side side, const Surfac
     if (!parts.isBetween(a, b)) {
       return 1.0;
     }
-    const bool isOffSide = side != Side::either && parts.isInside(0.5 * (a + b)) != (side == Side::inside);
-    return isOffSide ? std::numeric_limits<double>::infinity() : wallFactor;
+    return parts.isInside(0.5 * (a + b)) != (side == Side::inside) ? std::numeric_limits<double>::infinity()
+                                                                   : wallFactor;
   };
   return rules;
 }
@@ -47,6 +47,39 @@ PointPool thinned(const PointPool& pool, Index target) {
   return result;
 }
 
+std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+                          const Progress& progress) {
+  std::vector<bool> flags = parts.insideFlags(pool.points, progress);
+  if (side == Side::inside) {
+    flags.flip();
+  }
+  return flags;
+}
+
+bool hasOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, const Progress& progress) {
+  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
+
+PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+                         const Progress& progress) {
+  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  std::set<Index> partsOnSide;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (!flags[i]) {
+      partsOnSide.insert(pool.parts[i]);
+    }
+  }
+  PointPool kept;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (!flags[i] || !partsOnSide.contains(pool.parts[i])) {
+      kept.append(pool.points.row(i), pool.parts[i]);
+    }
+  }
+  kept.shrink();
+  return kept;
+}
+
 }  // namespace
 
 void PointPool::append(const Vec3& point, Index part) {
@@ -62,9 +95,16 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
   if (target <= 0) {
     return {};
   }
-  const PointPool left =
-      poolOf(decimate(pool.points, target, rulesFor(pool, target, side, parts), {}, progress));
-  return left.size() > target ? thinned(left, target) : left;
+  const auto decimated = [&](const PointPool& from) {
+    const PointPool left =
+        poolOf(decimate(from.points, target, rulesFor(from, target, side, parts), {}, progress));
+    return left.size() > target ? thinned(left, target) : left;
+  };
+  PointPool result = decimated(pool);
+  if (hasOffSide(result, side, parts, progress)) {
+    result = decimated(withoutOffSide(pool, side, parts, progress));
+  }
+  return result;
 }
 
 }  // namespace pbffd

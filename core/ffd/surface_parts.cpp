@@ -1,8 +1,11 @@
 #include "core/ffd/surface_parts.h"
 
+#include "core/base/parallel.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pbffd {
 namespace {
@@ -146,6 +149,17 @@ Vec3 SurfaceParts::triangleNormal(Index triangle) const {
   const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(vertices[3 * triangle + k]); };
   const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
   return isTurned_[partOfTriangle_[triangle]] ? Vec3(-normal) : normal;
+}
+
+std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress& progress) const {
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(points.rows()));
+  parallelFor(flags.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
+      flags[i] = isInside(points.row(static_cast<Index>(i)));
+    }
+  });
+  progress.throwIfCancelled();
+  return {flags.begin(), flags.end()};
 }
 
 bool SurfaceParts::isBetween(const Vec3& from, const Vec3& to) const {

@@ -35,6 +35,8 @@ class SurfaceParts {
 
   /// Whether the point is inside the closed parts, by the winding number.
   bool isInside(const Vec3& point) const { return inside_->isInside(point); }
+  /// The same for each of the points, in parallel. Throws Cancelled.
+  std::vector<bool> insideFlags(const Points& points, const Progress& progress) const;
   double windingNumber(const Vec3& point) const { return inside_->at(point); }
   /// Whether any part, closed or open, lies between the two points.
   bool isBetween(const Vec3& from, const Vec3& to) const;

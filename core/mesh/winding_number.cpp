@@ -4,7 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -61,6 +63,8 @@ double exactWindingNumber(const Points& positions, const std::vector<Index>& cor
 /// What a part of the surface is from afar, in double precision while the tree is built.
 struct WindingNumber::Expansion {
   Vec3 center = Vec3::Zero();
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< of a box that holds the part
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
   double radius = -1.0;  ///< of a ball around the centre that holds the part; negative: nothing is there
   double area = 0.0;
   Vec3 dipole = Vec3::Zero();
@@ -74,6 +78,8 @@ struct WindingNumber::Expansion {
       whole.area += part.area;
       whole.center += part.area * part.center;
       whole.dipole += part.dipole;
+      whole.low = whole.low.cwiseMin(part.low);
+      whole.high = whole.high.cwiseMax(part.high);
       plain += part.center;
       count += 1.0;
     }
@@ -83,6 +89,9 @@ struct WindingNumber::Expansion {
       whole.quadrupole += part.quadrupole + offset * part.dipole.transpose();
       whole.radius = std::max(whole.radius, offset.norm() + part.radius);
     }
+    // Of two balls that hold it the smaller one.
+    const Vec3 corner = (whole.high - whole.center).cwiseMax(whole.center - whole.low);
+    whole.radius = std::min(whole.radius, corner.norm());
     return whole;
   }
 };
@@ -106,6 +115,8 @@ WindingNumber::Expansion WindingNumber::expansionOfLeaf(Index leaf) const {
     one.area = one.dipole.norm();
     for (const Vec3& corner : p) {
       one.radius = std::max(one.radius, (corner - one.center).norm());
+      one.low = one.low.cwiseMin(corner);
+      one.high = one.high.cwiseMax(corner);
     }
     triangles.push_back(one);
   }
@@ -144,6 +155,7 @@ void WindingNumber::build() {
             moments[n].center[axis][k] = part.radius < 0.0 ? 1e6F : static_cast<float>(part.center[axis]);
             moments[n].dipole[axis][k] = static_cast<float>(part.dipole[axis]);
           }
+          moments[n].trace[k] = static_cast<float>(q.trace());
           for (int i = 0; i < 6; ++i) {
             moments[n].quadrupole[i][k] = static_cast<float>(six[i]);
           }
@@ -155,22 +167,27 @@ void WindingNumber::build() {
   }
 }
 
-double WindingNumber::farField(const Moments& m, const Lanes* point, Eigen::Array<bool, 4, 1>& isNear) const {
+double WindingNumber::farField(const Moments& m, const Lanes* point, unsigned& near) const {
   const Lanes x = m.center[0] - point[0];
   const Lanes y = m.center[1] - point[1];
   const Lanes z = m.center[2] - point[2];
   const Lanes squared = x * x + y * y + z * z;
-  isNear = squared <= m.nearSquared;
-  const Lanes inverse = 1.0F / isNear.select(Lanes::Constant(1.0F), squared);
+  const Lanes inverse = squared.inverse();
   const Lanes cubed = inverse * inverse.sqrt();
-  const Lanes trace = m.quadrupole[0] + m.quadrupole[1] + m.quadrupole[2];
   const Lanes along = x * (x * m.quadrupole[0] + y * m.quadrupole[3]) +
                       y * (y * m.quadrupole[1] + z * m.quadrupole[4]) +
                       z * (z * m.quadrupole[2] + x * m.quadrupole[5]);
   const Lanes value =
-      cubed * (x * m.dipole[0] + y * m.dipole[1] + z * m.dipole[2] + trace - 3.0F * inverse * along);
-  const Lanes sum = isNear.select(Lanes::Zero(), value);
-  return static_cast<double>(sum[0] + sum[1]) + static_cast<double>(sum[2] + sum[3]);
+      cubed * (x * m.dipole[0] + y * m.dipole[1] + z * m.dipole[2] + m.trace - 3.0F * inverse * along);
+  // A plain loop, since Eigen knows no masks; the value of what is near may well be infinite.
+  near = 0;
+  double sum = 0.0;
+  for (Index lane = 0; lane < TriangleTree::arity; ++lane) {
+    const bool isNear = squared[lane] <= m.nearSquared[lane];
+    near |= static_cast<unsigned>(isNear) << lane;
+    sum += isNear ? 0.0 : static_cast<double>(value[lane]);
+  }
+  return sum;
 }
 
 double WindingNumber::at(const Vec3& point) const {
@@ -180,7 +197,7 @@ double WindingNumber::at(const Vec3& point) const {
   const Eigen::Vector3f unit = (tree_.scale() * (point - tree_.origin())).cast<float>();
   const Lanes lanes[3] = {Lanes::Constant(unit[0]), Lanes::Constant(unit[1]), Lanes::Constant(unit[2])};
   double far = 0.0;
-  AngleSum near;
+  AngleSum angles;
   std::pair<Index, Index> open[128];  // level, node
   int size = 0;
   open[size++] = {tree_.levelCount() - 1, 0};
@@ -191,20 +208,17 @@ double WindingNumber::at(const Vec3& point) const {
       for (Index t = node * TriangleTree::leafSize; t < end; ++t) {
         addHalfSolidAngle(tree_.scale() * (tree_.corner(t, 0) - point),
                           tree_.scale() * (tree_.corner(t, 1) - point),
-                          tree_.scale() * (tree_.corner(t, 2) - point), near);
+                          tree_.scale() * (tree_.corner(t, 2) - point), angles);
       }
       continue;
     }
-    Eigen::Array<bool, 4, 1> isNear;
-    far +=
-        farField(moments_[static_cast<std::size_t>(level) - 1][static_cast<std::size_t>(node)], lanes, isNear);
-    for (Index lane = 0; lane < TriangleTree::arity; ++lane) {
-      if (isNear[lane]) {
-        open[size++] = {level - 1, node * TriangleTree::arity + lane};
-      }
+    unsigned near = 0;
+    far += farField(moments_[static_cast<std::size_t>(level) - 1][static_cast<std::size_t>(node)], lanes, near);
+    for (; near != 0; near &= near - 1) {
+      open[size++] = {level - 1, node * TriangleTree::arity + std::countr_zero(near)};
     }
   }
-  return far / (4.0 * std::numbers::pi) + near.total() / (2.0 * std::numbers::pi);
+  return far / (4.0 * std::numbers::pi) + angles.total() / (2.0 * std::numbers::pi);
 }
 
 }  // namespace pbffd

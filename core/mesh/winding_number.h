@@ -34,13 +34,15 @@ class WindingNumber {
     Lanes center[3];
     Lanes nearSquared;    ///< closer than this (squared) a child is opened
     Lanes dipole[3];      ///< sum of area vectors
+    Lanes trace;          ///< of the quadrupole
     Lanes quadrupole[6];  ///< sum of offset x area vector, symmetric part: xx, yy, zz, xy, yz, zx
   };
   struct Expansion;
 
   void build();
   Expansion expansionOfLeaf(Index leaf) const;
-  double farField(const Moments& moments, const Lanes* point, Eigen::Array<bool, 4, 1>& isNear) const;
+  /// near: a bit for each child that has to be opened.
+  double farField(const Moments& moments, const Lanes* point, unsigned& near) const;
 
   TriangleTree tree_;
   std::vector<std::vector<Moments>> moments_;  ///< moments_[l]: of the nodes of level l + 1

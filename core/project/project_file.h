@@ -19,6 +19,14 @@ struct LoadedProject {
   ProjectExtras extras;
 };
 
+/// What a project file held that this version keeps for the next save, and does not use.
+struct KeptCounts {
+  int constraints = 0;
+  int curves = 0;
+  int poses = 0;
+};
+KeptCounts keptCounts(const Project& project);
+
 /// Reads NAME.pbffd (contract.md, section 3). Throws IoError, or InvalidInput that names the file, the
 /// member, what is wrong and what to try (a newer version: update the program).
 LoadedProject loadProject(const std::filesystem::path& path, const Progress& progress = {});

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/project/control_json.h"
 #include "core/project/leftover.h"
+#include "core/project/project_file.h"
 
 #include <algorithm>
 #include <limits>
@@ -89,7 +90,19 @@ Json knownJson(const ProjectDocument& document) {
   return json;
 }
 
+int sizeOf(const Json& root, const char* list) {
+  return root.contains(list) && root[list].is_array() ? static_cast<int>(root[list].size()) : 0;
+}
+
 }  // namespace
+
+KeptCounts keptCounts(const Project& project) {
+  if (!project.foreign || project.foreign->root.empty()) {
+    return {};
+  }
+  const Json root = Json::parse(project.foreign->root);
+  return {sizeOf(root, "constraints"), sizeOf(root, "curves"), sizeOf(root, "poses")};
+}
 
 ProjectDocument documentFrom(const Json& json) {
   const JsonReader reader(json, "");

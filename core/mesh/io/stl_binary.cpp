@@ -15,21 +15,13 @@ std::uint32_t littleEndian(std::string_view bytes) {
   return value;
 }
 
-/// Whether what a text file begins with is there, and nothing that no text holds.
+/// Whether the file begins without what no text holds.
 bool looksLikeText(std::string_view bytes) {
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (begin == std::string_view::npos || bytes.size() - begin < 5) {
-    return false;
-  }
-  std::string word(bytes.substr(begin, 5));
-  std::ranges::transform(word, word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
   // The number of facets and the floats behind it hold control characters soon.
   constexpr std::size_t looked = 512;
-  const std::string_view start = bytes.substr(0, looked);
-  return word == "solid" && std::ranges::none_of(start, [](char c) {
-           return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\v') ||
-                  c == 127;
-         });
+  return std::ranges::none_of(bytes.substr(0, looked), [](char c) {
+    return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\v') || c == 127;
+  });
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ inline constexpr std::size_t stlHeaderBytes = 84;
 inline constexpr std::size_t stlFacetBytes = 50;
 
 /// Whether the bytes are binary STL. Many binary files begin with "solid" as text files do, so that the
-/// number of facets is compared with the size, and a text must look like one.
+/// number of facets is compared with the size, and a text holds no control characters.
 bool isBinaryStl(std::string_view bytes);
 
 /// The number of facets that the header promises.

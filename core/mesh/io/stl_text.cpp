@@ -37,6 +37,9 @@ bool StlText::next() {
     } else if (isInSolid_ && isKeyword(word, "facet")) {
       readFacet();
       return true;
+    } else if (!isInSolid_ && text_.line() == 1) {
+      text_.fail(format("the file begins with {} and not with \"solid\"", inQuotes(word)),
+                 "Choose an STL file, or give the file the ending of its format.");
     } else {
       text_.fail(format("{} stands where {} belongs", inQuotes(word),
                         isInSolid_ ? "\"facet\" or \"endsolid\"" : "\"solid\""));

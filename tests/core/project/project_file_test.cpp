@@ -100,6 +100,10 @@ class ProjectFileTest : public QObject {
       json["poses"] = Json::array({{{"name", "Up"}}});
     });
     Project project = loadProject(path()).project;
+    QCOMPARE(keptCounts(project).constraints, 1);
+    QCOMPARE(keptCounts(project).curves, 1);
+    QCOMPARE(keptCounts(project).poses, 1);
+    QCOMPARE(keptCounts(edited()).poses, 0);
     const PointId tagged = project.controls.levels[2][4].id;
     const PointId other = project.controls.levels[2][0].id;
     project = after(project, Remove{{3, {other}}});

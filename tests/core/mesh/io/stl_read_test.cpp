@@ -109,7 +109,9 @@ class StlReadTest : public QObject {
         "Byte 80: the header promises 1000000 facets, but the file has room for 1");
     row("half a facet", binary("solid", 2, binaryFacet(1.F) + binaryFacet(1.F).substr(1)),
         "Byte 80: the header promises 2 facets, but the file has room for 1");
-    row("short header", "garbage", "Byte 7: the file ends within its header");
+    row("short header", std::string(7, '\0'), "Byte 7: the file ends within its header");
+    row("other text", "v 0 0 0\n",
+        "Line 1: the file begins with \"v\" and not with \"solid\". Choose an STL file");
     row("no facets", binary("", 0, ""), "It holds no vertices");
     row("empty solid", "solid a\nendsolid a\n", "It holds no vertices");
     row("empty", "", "The file is empty");

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 

@@ -17,16 +17,31 @@ std::vector<int> MoveGesture::axes() const {
   return used;
 }
 
+std::optional<double> MoveGesture::alongAxis(const Projection& projection, const QPointF& at) const {
+  const Guide line{subject().pivot, lockAxes().col(lock().axis)};
+  const double reach = GizmoSizes::length * projection.pixelSizeAt(line.origin);
+  const Vec3 from = projection.toScreen(line.origin);
+  const Vec3 ahead = projection.toScreen(line.origin + reach * line.direction);
+  const QPointF along(ahead.x() - from.x(), ahead.y() - from.y());
+  const double squared = QPointF::dotProduct(along, along);
+  if (squared < 1.0) {
+    return std::nullopt;
+  }
+  // What the cursor does across the axis, as it is seen, does not count.
+  const QPointF start(from.x(), from.y());
+  const QPointF onAxis = start + QPointF::dotProduct(at - start, along) / squared * along;
+  return nearestOnLine(projection.rayThrough(onAxis.x(), onAxis.y()), line);
+}
+
 Vec3 MoveGesture::shiftByCursor(const Projection& projection) const {
+  if (lock().kind == AxisLock::Kind::axis) {
+    const auto first = alongAxis(projection, start());
+    const auto second = alongAxis(projection, cursor());
+    return first && second ? Vec3((*second - *first) * lockAxes().col(lock().axis)) : Vec3::Zero();
+  }
   const PickRay from = projection.rayThrough(start().x(), start().y());
   const PickRay to = projection.rayThrough(cursor().x(), cursor().y());
   const Vec3& pivot = subject().pivot;
-  if (lock().kind == AxisLock::Kind::axis) {
-    const Guide line{pivot, lockAxes().col(lock().axis)};
-    const auto first = nearestOnLine(from, line);
-    const auto second = nearestOnLine(to, line);
-    return first && second ? Vec3((*second - *first) * line.direction) : Vec3::Zero();
-  }
   const bool isView = lock().kind == AxisLock::Kind::free;
   const Vec3 normal = isView ? Vec3(projection.lens().toWorld.col(2)) : Vec3(lockAxes().col(lock().axis));
   const auto first = meetsPlane(from, {pivot, normal});

@@ -26,6 +26,8 @@ class MoveGesture : public TransformGesture {
  private:
   /// The axes that numbers are given along, in order.
   std::vector<int> axes() const;
+  /// How far along the locked axis a place on the screen is; none for an axis that points at the eye.
+  std::optional<double> alongAxis(const Projection& projection, const QPointF& at) const;
   /// By the cursor alone, in world axes.
   Vec3 shiftByCursor(const Projection& projection) const;
   void snapAlong(const Mat3& frame, double step);

@@ -106,8 +106,20 @@ bool Document::perform(const Edit& edit, const EditOptions& options) {
 
 void Document::push(const Edit& edit, const EditResult& result, const EditOptions& options) {
   history_->push(new ChangeProject(*this, {committed_, result.project, edit, options.mergeKey}));
+  QStringList remarks;
   for (const std::string& remark : result.remarks) {
-    Q_EMIT remarked(QString::fromStdString(remark));
+    remarks += QString::fromStdString(remark);
+  }
+  if (remarks.isEmpty()) {
+    return;
+  }
+  // A placement always tells how it took the surface; it matters when it fell short.
+  const auto* place = std::get_if<Place>(&edit.value());
+  const bool isComplete = place != nullptr && committed_.controls.finest().size() >= place->options.points;
+  if (isComplete) {
+    Q_EMIT informed(remarks.join(u' '));
+  } else {
+    Q_EMIT remarked(remarks.join(u' '));
   }
 }
 

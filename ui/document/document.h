@@ -60,7 +60,8 @@ class Document : public QObject {
   bool isPristine() const;
 
   /// Opens a mesh (and places points with `options`) or a project, off the UI thread. The open document stays
-  /// until the new one is ready, and for good when it fails: `failed` then says why.
+  /// until the new one is ready, and for good when it cannot be read or no points can be placed on it:
+  /// `failed` then says why.
   void open(const QString& path, const PlacementOptions& options = {});
   void close();
   /// Returns whether it worked; `failed` says why not, and the file is then as it was.

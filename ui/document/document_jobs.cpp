@@ -34,6 +34,17 @@ void prepare(const RestMesh& mesh, const Progress& progress) {
   progress.throwIfCancelled();
 }
 
+/// Before what is open makes room for it: a mesh that takes no points is of no use here.
+void refuseUnplaceable(const RestMesh& mesh, const QString& path) {
+  try {
+    requirePlaceable(mesh);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(QObject::tr("Could not open %1. %2")
+                           .arg(QFileInfo(path).fileName(), QString::fromUtf8(error.what()))
+                           .toStdString());
+  }
+}
+
 QString counted(Index count, const QString& one, const QString& many) {
   return QString("%1 %2").arg(QLocale(QLocale::English).toString(count), count == 1 ? one : many);
 }
@@ -67,6 +78,7 @@ Document::Opened Document::read(const QString& path, const Progress& progress) {
     file.extras = std::move(loaded.extras);
   } else {
     file.project = projectOf(std::make_shared<const RestMesh>(readMesh(pathOf(path), progress)));
+    refuseUnplaceable(*file.project.mesh, path);
   }
   prepare(*file.project.mesh, progress);
   file.workspace->weights.parameterization(file.project.mesh, file.project.controls, progress);
@@ -106,7 +118,7 @@ void Document::adopt(const Opened& file) {
   Q_EMIT titleChanged();
   Q_EMIT informed(openedMessage(QFileInfo(file.path).fileName(), *committed_.mesh));
   for (const std::string& remark : committed_.mesh->mesh().remarks) {
-    Q_EMIT remarked(QString::fromStdString(remark));
+    Q_EMIT informed(QString::fromStdString(remark));
   }
 }
 

@@ -7,10 +7,10 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPalette>
-#include <QStyleFactory>
-#include <QStyleHints>
+#include <QProxyStyle>
 
 #include <stdexcept>
+#include <utility>
 
 /// Resources of a static library are only found once this was called; outside any namespace as Qt asks.
 static void initializeResources() {
@@ -65,6 +65,17 @@ QPalette paletteOf(const Theme& theme) {
   return palette;
 }
 
+/// Fusion, the same on every desktop, with mnemonics that act but are not underlined.
+class WorkbenchStyle : public QProxyStyle {
+ public:
+  WorkbenchStyle() : QProxyStyle("Fusion") {}
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    return hint == SH_UnderlineShortcut ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
 QString cssOf(const QColor& color) {
   return QString("rgba(%1, %2, %3, %4)")
       .arg(color.red())
@@ -85,8 +96,8 @@ void Theme::choose(Choice choice) {
   choice_ = choice;
   const bool dark = choice == Choice::system ? desktopIsDark() : choice == Choice::dark;
   load(dark ? "dark" : "light");
-  if (qApp->style()->objectName().compare("fusion", Qt::CaseInsensitive) != 0) {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+  if (!std::exchange(hasStyle_, true)) {
+    QApplication::setStyle(new WorkbenchStyle);
   }
   QApplication::setFont(font(12));
   QApplication::setPalette(paletteOf(*this));

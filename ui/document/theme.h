@@ -39,6 +39,7 @@ class Theme : public QObject {
 
   Choice choice_ = Choice::system;
   bool dark_ = true;
+  bool hasStyle_ = false;
   std::map<QString, QColor> colors_;
 };
 

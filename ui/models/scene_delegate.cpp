@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTreeView>
 
 namespace pbffd::ui {
 namespace {
@@ -71,6 +72,11 @@ void SceneDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 void SceneDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const {
   QRect rest = option.rect.adjusted(2, 0, -4, 0);
+  // A row without a count lends its room to the name.
+  const auto* view = qobject_cast<const QTreeView*>(option.widget);
+  if (view != nullptr && index.siblingAtColumn(SceneModel::countColumn).data().toString().isEmpty()) {
+    rest.setRight(rest.right() + view->columnWidth(SceneModel::countColumn));
+  }
   if (const Symbol symbol = symbolOf(index); !symbol.icon.isEmpty()) {
     const bool isGlyph = symbol.icon.startsWith("kind-");
     const QRect cell(rest.left(), rest.top(), 16, rest.height());

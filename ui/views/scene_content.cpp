@@ -208,8 +208,8 @@ void SceneContent::updateRegions(Scene& scene) {
     const std::vector<PointId>& selection = document_.selection().points();
     const std::set<PointId> selected(selection.begin(), selection.end());
     for (const ControlPoint& point : *level) {
-      const bool isWanted = areAll ? view_.isPointShown(point.id) : selected.count(point.id) != 0;
-      if (isWanted && point.enabled) {
+      const bool isWanted = areAll || selected.count(point.id) != 0;
+      if (isWanted && point.enabled && view_.isPointShown(point.id)) {
         frames.push_back(relativeTo(point.pose, origin()));
       }
     }

@@ -6,12 +6,28 @@
 
 #include <QHBoxLayout>
 #include <QMenu>
+#include <QPainter>
 #include <QToolButton>
 
 namespace pbffd::ui {
 namespace {
 
 constexpr int titleHeight = 32;
+
+class TitleBar : public QWidget {
+ public:
+  explicit TitleBar(const Theme& theme) : theme_(theme) { setFixedHeight(titleHeight); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.fillRect(rect(), theme_.color("panel"));
+    painter.fillRect(0, height() - 1, width(), 1, theme_.color("line"));
+  }
+
+ private:
+  const Theme& theme_;
+};
 
 }  // namespace
 
@@ -34,10 +50,7 @@ Dock::Dock(const Theme& theme, const Look& look, QWidget* content)
 }
 
 QWidget* Dock::makeTitleBar(const Theme& theme, const Look& look) {
-  auto* bar = new QWidget;
-  bar->setObjectName("dockTitle");
-  bar->setAttribute(Qt::WA_StyledBackground);
-  bar->setFixedHeight(titleHeight);
+  auto* bar = new TitleBar(theme);
   titleLabel_ = makeLabel(look.title, "strong");
   note_ = makeLabel({}, "quiet");
   auto* row = new QHBoxLayout(bar);

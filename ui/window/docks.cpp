@@ -22,6 +22,9 @@ namespace {
 constexpr int leftWidth = 268;
 constexpr int rightWidth = 308;
 constexpr int bottomHeight = 150;
+constexpr int placementHeight = 262;
+/// Of the menu, options and status bars.
+constexpr int chromeHeight = 100;
 constexpr int narrowBelow = 1280;
 
 enum Place : std::size_t { scenePlace, inspectorPlace, placementPlace, historyPlace, messagesPlace };
@@ -105,14 +108,25 @@ void Docks::resetLayout() {
   for (Dock* dock : docks_) {
     dock->show();
   }
-  window_.resizeDocks({docks_[scenePlace], docks_[inspectorPlace]}, {leftWidth, rightWidth}, Qt::Horizontal);
-  window_.resizeDocks({docks_[historyPlace]}, {bottomHeight + 32}, Qt::Vertical);
-  window_.resizeDocks({docks_[historyPlace], docks_[messagesPlace]}, {470, 560}, Qt::Horizontal);
-  window_.resizeDocks({docks_[inspectorPlace], docks_[placementPlace]}, {560, 300}, Qt::Vertical);
   isNarrow_ = false;
   hidden_.clear();
   sources_.actions[ActionId::hideDocks]->setChecked(false);
   fitTo(window_.width());
+  giveSizes();
+}
+
+/// The sizes of the design; what the window has more goes to the view and the inspector.
+void Docks::giveSizes() {
+  window_.resizeDocks({docks_[scenePlace], docks_[inspectorPlace]}, {leftWidth, rightWidth}, Qt::Horizontal);
+  window_.resizeDocks({docks_[historyPlace]}, {bottomHeight}, Qt::Vertical);
+  const int between = window_.width() - leftWidth - rightWidth;
+  window_.resizeDocks({docks_[historyPlace], docks_[messagesPlace]}, {between * 45 / 100, between * 55 / 100},
+                      Qt::Horizontal);
+  if (!isNarrow_) {
+    const int rest = std::max(200, window_.height() - chromeHeight - placementHeight);
+    window_.resizeDocks({docks_[inspectorPlace], docks_[placementPlace]}, {rest, placementHeight},
+                        Qt::Vertical);
+  }
 }
 
 void Docks::fitTo(int width) {
@@ -136,6 +150,11 @@ void Docks::setShown(bool shown) {
   isShown_ = shown;
   hideAll(!shown);
   sources_.actions[ActionId::hideDocks]->setChecked(false);
+  if (shown && !hasSizes_) {
+    hasSizes_ = true;
+    // Sizes hold once the docks are laid out.
+    QMetaObject::invokeMethod(this, &Docks::giveSizes, Qt::QueuedConnection);
+  }
 }
 
 void Docks::hideAll(bool hidden) {

@@ -48,6 +48,7 @@ class Docks : public QObject {
 
  private:
   void connectActions();
+  void giveSizes();
   void hideAll(bool hidden);
   void countUnread();
 
@@ -62,6 +63,7 @@ class Docks : public QObject {
   std::vector<Dock*> hidden_;
   bool isShown_ = true;
   bool isNarrow_ = false;
+  bool hasSizes_ = false;
   int unread_ = 0;
 };
 

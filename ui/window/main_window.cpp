@@ -22,6 +22,7 @@
 #include "ui/window/view_overlays.h"
 
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
@@ -80,9 +81,13 @@ MainWindow::MainWindow(const Options& options)
 }
 
 MainWindow::~MainWindow() {
-  // Views look at the document and the theme to their end.
-  delete docks_;
+  // What looks at the document, the theme and the view goes before them; a gesture that is going on is dropped.
+  delete tools_;
   delete takeCentralWidget();
+  delete docks_;
+  qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+  delete optionsBar_;
+  delete status_;
 }
 
 void MainWindow::makeCentre() {

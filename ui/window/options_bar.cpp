@@ -34,7 +34,7 @@ OptionsBar::OptionsBar(const Actions& actions, Document& document, const Theme& 
   setContextMenuPolicy(Qt::PreventContextMenu);
   auto* content = new QWidget;
   auto* row = new QHBoxLayout(content);
-  row->setContentsMargins(0, 0, 0, 0);
+  row->setContentsMargins(12, 0, 12, 0);
   row->setSpacing(8);
   for (const ActionId id : {ActionId::undo, ActionId::redo}) {
     auto* button = new QToolButton;

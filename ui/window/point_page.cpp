@@ -146,7 +146,7 @@ Section* PointPage::makePoseSection() {
                 [this](int axis, const NumberInput& input) { return offsetEdit(selection(), axis, input); });
   connectFields(rotation_,
                 [this](int axis, const NumberInput& input) { return rotationEdit(selection(), axis, input); });
-  backToRest_ = new QPushButton(tr("Back to rest"));
+  backToRest_ = new QPushButton(tr(" Back to rest"));
   backToRest_->setIcon(makeIcon(theme_, "undo", {"text.2", "text.2"}));
   backToRest_->setIconSize({14, 14});
   connect(backToRest_, &QPushButton::clicked, this, &PointPage::backToRestAsked);

@@ -18,7 +18,9 @@
 namespace pbffd::ui {
 namespace {
 
-constexpr int indent = 14;
+constexpr int indent = 12;
+constexpr int switchWidth = 22;
+constexpr int leastCountWidth = 48;
 constexpr int headerHeight = 26;
 
 /// The heading: two words and the symbols of the columns below.
@@ -74,9 +76,8 @@ SceneTree::SceneTree(SceneModel& model, Document& document, const Theme& theme, 
   header()->setMinimumSectionSize(18);
   header()->setSectionResizeMode(QHeaderView::Fixed);
   header()->setSectionResizeMode(SceneModel::nameColumn, QHeaderView::Stretch);
-  header()->resizeSection(SceneModel::countColumn, 74);
   for (const int column : {SceneModel::eyeColumn, SceneModel::lockColumn, SceneModel::tickColumn}) {
-    header()->resizeSection(column, 24);
+    header()->resizeSection(column, switchWidth);
   }
   connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, &SceneTree::rememberExpansion);
   connect(&model, &QAbstractItemModel::modelReset, this, &SceneTree::restoreExpansion);
@@ -110,15 +111,23 @@ void SceneTree::forEachBranch(const std::function<void(const QModelIndex&)>& vis
   }
 }
 
+/// Of branches that have something to show: an empty one says nothing about what is wanted.
 void SceneTree::rememberExpansion() {
   if (!model_.isFiltered()) {
-    forEachBranch([&](const QModelIndex& index) { isExpandedBefore_[keyOf(index)] = isExpanded(index); });
+    forEachBranch([&](const QModelIndex& index) {
+      if (model_.rowCount(index) > 0) {
+        isExpandedBefore_[keyOf(index)] = isExpanded(index);
+      }
+    });
   }
 }
 
 /// What was open stays open; a branch that was not there before is open when it is the control set or the
 /// edit level. A filter opens everything that it leaves.
 void SceneTree::restoreExpansion() {
+  const QString widest = model_.index(0, SceneModel::countColumn).data().toString();
+  header()->resizeSection(SceneModel::countColumn,
+                          std::max(leastCountWidth, fontMetrics().horizontalAdvance(widest) + 12));
   forEachBranch([&](const QModelIndex& index) {
     const auto found = isExpandedBefore_.find(keyOf(index));
     const bool byDefault =

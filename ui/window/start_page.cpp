@@ -106,17 +106,22 @@ QLayout* StartPage::makeTitle() {
 }
 
 QWidget* StartPage::makeSide(const Actions& actions) {
-  openMesh_ = new QPushButton(tr("Open mesh"));
+  openMesh_ = new QPushButton(tr(" Open mesh"));
   openMesh_->setProperty("role", "primary");
   openMesh_->setIcon(makeIcon(theme_, "mesh", {"accent.text", "accent.text"}));
-  auto* openProject = new QPushButton(tr("Open project"));
+  auto* openProject = new QPushButton(tr(" Open project"));
   openProject->setProperty("role", "large");
   openProject->setIcon(makeIcon(theme_, "folder", {"text", "text"}));
   for (QPushButton* button : {openMesh_, openProject}) {
     button->setFixedHeight(38);
     button->setIconSize({18, 18});
-    button->setStyleSheet("font-size: 13px; font-weight: 500;");
   }
+  QLabel* key =
+      makeLabel(actions[ActionId::openMesh]->shortcut().toString(QKeySequence::NativeText), "shortcut");
+  key->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* inside = new QHBoxLayout(openMesh_);
+  inside->setContentsMargins(0, 0, 16, 0);
+  inside->addWidget(key, 0, Qt::AlignRight | Qt::AlignVCenter);
   openMesh_->setToolTip(actions[ActionId::openMesh]->toolTip());
   openProject->setToolTip(actions[ActionId::openProject]->toolTip());
   connect(openMesh_, &QPushButton::clicked, actions[ActionId::openMesh], &QAction::trigger);
@@ -148,6 +153,7 @@ QWidget* StartPage::makeSide(const Actions& actions) {
   keys->setProperty("role", "link");
   keys->setIcon(makeIcon(theme_, "info", {"accent", "accent"}));
   connect(keys, &QPushButton::clicked, actions[ActionId::shortcuts], &QAction::trigger);
+  keys->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(8, 0, 0, 0);
   foot->addWidget(keys);

@@ -13,11 +13,12 @@ namespace {
 
 constexpr int railWidth = 44;
 constexpr int buttonSize = 34;
-constexpr int iconSize = 20;
+constexpr int symbolSize = 20;
 
 class RailButton : public QToolButton {
  public:
-  RailButton(const Theme& theme, QAction& action) : theme_(theme) {
+  RailButton(const Theme& theme, QAction& action)
+      : theme_(theme), iconName_(action.property("iconName").toString()) {
     setProperty("role", "rail");
     setDefaultAction(&action);
     setFixedSize(buttonSize, buttonSize);
@@ -40,7 +41,8 @@ class RailButton : public QToolButton {
       painter.setBrush(Qt::NoBrush);
       painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
     }
-    const QRectF icon((width() - iconSize) / 2.0 - 1, (height() - iconSize) / 2.0 - 1, iconSize, iconSize);
+    const QRectF icon((width() - symbolSize) / 2.0 - 1, (height() - symbolSize) / 2.0 - 1, symbolSize,
+                      symbolSize);
     drawIcon(painter, icon, iconName_, theme_.color(token));
     QFont font = Theme::font(9, QFont::Bold);
     painter.setFont(font);
@@ -48,9 +50,6 @@ class RailButton : public QToolButton {
     painter.drawText(rect().adjusted(0, 0, -3, -2), Qt::AlignRight | Qt::AlignBottom,
                      defaultAction()->shortcut().toString());
   }
-
- public:
-  void setIconName(const QString& name) { iconName_ = name; }
 
  private:
   const Theme& theme_;
@@ -66,9 +65,7 @@ ToolRail::ToolRail(const Theme& theme, const QList<QAction*>& tools, QWidget* pa
   column->setContentsMargins(4, 5, 4, 5);
   column->setSpacing(3);
   for (QAction* tool : tools) {
-    auto* button = new RailButton(theme, *tool);
-    button->setIconName(tool->property("iconName").toString());
-    column->addWidget(button, 0, Qt::AlignHCenter);
+    column->addWidget(new RailButton(theme, *tool), 0, Qt::AlignHCenter);
   }
   setFixedWidth(railWidth);
   adjustSize();

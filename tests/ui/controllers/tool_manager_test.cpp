@@ -86,6 +86,7 @@ class ToolManagerTest : public QObject {
 
   void secondClickInPlaceTakesTheNextBehind() {
     Bench bench;
+    bench.open.view.setOrthographic(true);
     bench.open.viewport.lookFrom(Viewport::Side::front);
     Move move;
     move.where.points = {4};
@@ -183,7 +184,7 @@ class ToolManagerTest : public QObject {
     const std::vector<float> positions = bench.open.document.deformation()->positions();
     for (const bool byKey : {true, false}) {
       bench.keys("g");
-      bench.move({120, 90}, {}, Qt::NoButton);
+      bench.move(byKey ? QPoint(120, 90) : QPoint(300, 60), {}, Qt::NoButton);
       QCoreApplication::processEvents();
       QVERIFY(!sameBits(bench.open.document.shown(), before));
       if (byKey) {

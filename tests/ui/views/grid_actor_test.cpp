@@ -1,4 +1,5 @@
 #include "ui/views/grid_actor.h"
+#include "ui/views/round_numbers.h"
 #include "tests/support/test_main.h"
 
 #include <QtTest>

@@ -1,5 +1,6 @@
 #include "tests/ui/views/open_view.h"
 
+#include "core/mesh/io/mesh_io.h"
 #include "core/mesh/rest_mesh.h"
 #include "core/project/project_file.h"
 

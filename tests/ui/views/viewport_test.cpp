@@ -67,7 +67,7 @@ class ViewportTest : public QObject {
   }
 
   void pointsAreDrawnWhereTheyArePicked() {
-    test::OpenView open(pbffd::test::cube(), {{0, 1.2, 0}});
+    test::OpenView open(pbffd::test::cube(), {{0, 0.6, 0}});
     const double ratio = open.viewport.devicePixelRatioF();
     const QColor expected = open.theme.color(QStringLiteral("point.interior"));
     const QColor seen = colorAt(open.frame(), open.placeOf(1), ratio);
@@ -77,7 +77,7 @@ class ViewportTest : public QObject {
 
   void hiddenAndLockedPointsAreNotPicked() {
     test::OpenView open(pbffd::test::cube(), cubePoints);
-    open.view.setPointShown(1, false);
+    open.view.setPointsShown({1}, false);
     Lock lock;
     lock.where.points = {2};
     QVERIFY(open.document.perform(lock));
@@ -159,7 +159,7 @@ class ViewportTest : public QObject {
 
   void ghostIsSeenBesideTheMovedShapeOnly() {
     test::OpenView open(pbffd::test::sphere(), cubePoints);
-    QVERIFY(open.document.perform(moveOf(1, Vec3(0.5, 0.5, 0))));
+    QVERIFY(open.document.perform(moveOf(1, Vec3(-0.4, -0.5, 0))));
     const QImage without = open.frame();
     open.view.setGhostShown(true);
     const QImage with = open.frame();

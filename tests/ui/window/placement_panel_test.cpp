@@ -1,0 +1,93 @@
+#include "ui/window/placement_panel.h"
+
+#include "tests/support/test_main.h"
+#include "tests/ui/document/opened.h"
+#include "ui/document/theme.h"
+
+#include <QCheckBox>
+#include <QSlider>
+#include <QtTest>
+
+namespace pbffd::test {
+
+class PlacementPanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void cleanup();
+
+  void showsTheOptionsOfTheProject();
+  void theSliderPlacesAnewWhileNothingIsEdited();
+  void afterAnEditOnlyTheButtonPlaces();
+  void undoTakesTheNumbersBack();
+
+ private:
+  QTemporaryDir folder_;
+  std::unique_ptr<ui::Theme> theme_;
+  std::unique_ptr<ui::Document> document_;
+  std::unique_ptr<ui::PlacementPanel> panel_;
+};
+
+void PlacementPanelTest::init() {
+  theme_ = std::make_unique<ui::Theme>();
+  document_ = std::make_unique<ui::Document>();
+  panel_ = std::make_unique<ui::PlacementPanel>(*document_, *theme_);
+  panel_->resize(308, 400);
+  panel_->show();
+  QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+  QVERIFY(openShape(*document_, folder_));
+}
+
+void PlacementPanelTest::cleanup() {
+  panel_.reset();
+  document_.reset();
+  theme_.reset();
+}
+
+void PlacementPanelTest::showsTheOptionsOfTheProject() {
+  QVERIFY(panel_->options() == fewPoints());
+}
+
+void PlacementPanelTest::theSliderPlacesAnewWhileNothingIsEdited() {
+  QSlider* slider = panel_->pointsSlider();
+  slider->setFocus();
+  for (int press = 0; press < 5; ++press) {
+    QTest::keyClick(slider, Qt::Key_Right);
+  }
+  const int wanted = panel_->options().points;
+  QVERIFY(wanted > 40);
+  QVERIFY(finishJobs(*document_));
+  QCOMPARE(document_->shown().controls.finest().size(), wanted);
+  // One entry beside the first placement.
+  QCOMPARE(document_->history().count(), 2);
+  QCOMPARE(panel_->options().points, wanted);
+}
+
+void PlacementPanelTest::afterAnEditOnlyTheButtonPlaces() {
+  QVERIFY(document_->perform(
+      Move{{std::nullopt, firstPoints(*document_, 2)}, {Vec3(0, 0.2, 0)}, Follow::none, {}}));
+  QVERIFY(panel_->findChild<QCheckBox*>()->isVisible());
+  QTest::keyClick(panel_->pointsSlider(), Qt::Key_PageUp);
+  QVERIFY(!document_->jobs().isRunning());
+  QCOMPARE(document_->shown().controls.finest().size(), 40);
+  const int wanted = panel_->options().points;
+  panel_->placeAgain();
+  QVERIFY(finishJobs(*document_));
+  QCOMPARE(document_->shown().controls.finest().size(), wanted);
+  // The edits were kept: something is still moved.
+  QVERIFY(!document_->isPristine());
+}
+
+void PlacementPanelTest::undoTakesTheNumbersBack() {
+  QTest::keyClick(panel_->pointsSlider(), Qt::Key_PageUp);
+  QVERIFY(finishJobs(*document_));
+  document_->undo();
+  QCOMPARE(panel_->options().points, 40);
+}
+
+const Registration<PlacementPanelTest> registration;
+
+}  // namespace pbffd::test
+
+#include "placement_panel_test.moc"

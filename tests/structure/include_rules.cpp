@@ -41,7 +41,6 @@ const std::vector<Layer>& layers() {
       {"app/dataset", core},
       {"app/apply_mpi", joined(core, {"app/dataset"})},
       {"app/cli", joined(core, {"app/dataset"})},
-      {"app/apply_mpi", joined(core, {"app/dataset"})},
       {"app/workbench", joined(uiAll, {"ui/window", "app/dataset"})},
   };
   return all;

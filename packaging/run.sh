@@ -71,7 +71,9 @@ fi
 install_packages
 build_targets pbffd-workbench pbffd pbffd_samples
 
-arguments+=(${screenshot:+--screenshot "$screenshot"} -- "${file:-$build/samples/creature.obj}")
+# A name that begins with a hyphen must not look like an option.
+[[ $file != -* ]] || file=./$file
+arguments+=(${screenshot:+--screenshot "$screenshot"} "${file:-$build/samples/creature.obj}")
 workbench=$build/bin/pbffd-workbench
 if [ -z "${DISPLAY:-}" ]; then
   # Room for any size that is asked for, and at least for a large window.

@@ -274,12 +274,10 @@ class PlacementTest : public QObject {
     QVERIFY(std::abs(master.rest.axes.col(0).norm() - 1.2 * farthest) < 1e-12);
   }
 
-  void farTinyAndSquashedMeshesKeepThePromises() {
+  void farAndTinyMeshesKeepThePromises() {
     requireGuarantees(test::placedAt(test::fork(), 1.0, Vec3::Constant(1e8)), withPoints(100));
     requireGuarantees(test::placedAt(test::fork(), 1e-12, Vec3::Zero()), withPoints(100));
     requireGuarantees(test::placedAt(test::fork(), 1e12, Vec3::Zero()), withPoints(100));
-    requireGuarantees(stretched(test::sphere(), Vec3(1, 1, 1e-3)), withPoints(100));
-    requireGuarantees(stretched(test::sphere(), Vec3(1, 1e3, 1e-3)), withPoints(100));
   }
 
   void closedMeshWithoutVolumeGetsPointsOutside() {

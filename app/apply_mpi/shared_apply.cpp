@@ -90,7 +90,7 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, StopWatch& 
       together(ranks, [&] { return ranks.isFirst() ? std::make_shared<StagedFiles>(work.target) : nullptr; });
   const std::filesystem::path folder = ranks.fromFirst(first ? first->folder().string() : std::string());
   watch.setFolder(folder);
-  StagedFiles mine({folder, "r" + std::to_string(ranks.rank()) + "-"});
+  StagedFiles mine({folder, format("r{}-", ranks.rank())});
   const ApplyReport staged = together(ranks, [&] {
     const PlacedSpace space = placedSpace(input.project, isVolume, toRest, progress);
     return stagePieces(input.partition, share, mine, {space, work.options.transports, progress});

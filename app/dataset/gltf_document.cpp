@@ -150,7 +150,7 @@ std::int64_t GltfDocument::count(std::size_t accessor) const {
 GltfDocument::Place GltfDocument::placeOf(std::size_t accessor, int width) const {
   const auto total = static_cast<std::size_t>(count(accessor));
   const Json& entry = list("accessors")[accessor];
-  const std::string type = "VEC" + std::to_string(width);
+  const std::string type = format("VEC{}", width);
   if (entry.value("type", std::string()) != type ||
       number(entry, "componentType", 0) != static_cast<std::size_t>(singlePrecision)) {
     fail(
@@ -229,8 +229,8 @@ GltfDocument::Files GltfDocument::encode(const std::filesystem::path& target) co
       json["buffers"][b]["uri"] = uri.substr(0, uri.find(',') + 1) + toBase64(buffer.bytes);
       continue;
     }
-    const std::string name = target.stem().string() +
-                             (files.buffers.empty() ? "" : "_" + std::to_string(files.buffers.size())) + ".bin";
+    const std::string number = files.buffers.empty() ? std::string() : format("_{}", files.buffers.size());
+    const std::string name = format("{}{}.bin", target.stem().string(), number);
     json["buffers"][b]["uri"] = toUri(name);
     files.buffers.emplace_back(name, &buffer.bytes);
   }

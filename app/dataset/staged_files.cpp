@@ -38,7 +38,7 @@ fs::path resolved(const fs::path& path) {
 StagedFiles::StagedFiles(const fs::path& beside) : ownsFolder_(true) {
   const fs::path target = resolved(beside);
   const fs::path parent = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-  std::string pattern = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
+  std::string pattern = (parent / format(".{}.XXXXXX", target.filename().string())).string();
   if (::mkdtemp(pattern.data()) == nullptr) {
     fail(beside, std::error_code(errno, std::generic_category()));
   }
@@ -60,7 +60,7 @@ StagedFiles::~StagedFiles() {
 }
 
 fs::path StagedFiles::add(const fs::path& target) {
-  const fs::path staged = folder_ / (name_ + std::to_string(files_.size()) + target.extension().string());
+  const fs::path staged = folder_ / format("{}{}{}", name_, files_.size(), target.extension().string());
   files_.push_back({staged, resolved(target)});
   return staged;
 }

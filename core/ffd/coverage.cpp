@@ -31,6 +31,9 @@ class Cover {
 
   void coverAll(const Progress& progress) {
     growToTouch(progress);
+    for (const ControlPoint& point : points_) {
+      regions_.emplace_back(point.rest);
+    }
     const auto reached = reachedByEach(progress);
     for (const auto& vertices : reached) {
       mark(vertices);
@@ -114,27 +117,31 @@ class Cover {
   }
 
   void takeIn(Index vertex) {
+    // By what they were at first: one that has grown would else be the nearest to more and more.
     std::vector<std::pair<double, std::size_t>> byDistance;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      byDistance.emplace_back(Region(points_[i].rest).squaredDistance(mesh_.positions().row(vertex)), i);
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      byDistance.emplace_back(regions_[i].squaredDistance(mesh_.positions().row(vertex)), i);
     }
     const std::size_t tried = std::min(regionsTried, byDistance.size());
     std::partial_sort(byDistance.begin(), byDistance.begin() + static_cast<std::ptrdiff_t>(tried),
                       byDistance.end());
     for (std::size_t t = 0; t < tried; ++t) {
-      const double factor = std::max(1.0, std::sqrt(byDistance[t].first) / takenInAt);
-      if (growIfItReaches(byDistance[t].second, factor, vertex)) {
+      if (growIfItReaches(byDistance[t].second, factorToTakeIn(byDistance[t].second, vertex), vertex)) {
         return;
       }
     }
     // A region that holds the whole mesh reaches all of it.
     const std::size_t nearest = byDistance[0].second;
-    for (double factor = std::max(1.0, std::sqrt(byDistance[0].first) / takenInAt); factor < 1e6;
-         factor *= growthOfLastResort) {
+    for (double factor = factorToTakeIn(nearest, vertex); factor < 1e6; factor *= growthOfLastResort) {
       if (growIfItReaches(nearest, factor, vertex)) {
         return;
       }
     }
+  }
+
+  double factorToTakeIn(std::size_t point, Index vertex) const {
+    const Region region(points_[point].rest);
+    return std::max(1.0, std::sqrt(region.squaredDistance(mesh_.positions().row(vertex))) / takenInAt);
   }
 
   bool growIfItReaches(std::size_t point, double factor, Index vertex) {
@@ -153,6 +160,7 @@ class Cover {
 
   std::vector<ControlPoint>& points_;
   const RestMesh& mesh_;
+  std::vector<Region> regions_;  ///< before any vertex was taken in
   PointBlocks blocks_;
   ReachWalks walks_;
   std::vector<bool> isReached_;

@@ -15,9 +15,10 @@ struct Coverage {
 };
 
 /// Makes regions larger until each reaches a vertex and each vertex that has a face is reached by one
-/// (McDonnell & Qin, 3.2.2: no vertex under the master alone). Of all regions the one that needs to grow
-/// least takes a vertex in; it is grown until the vertex lies at 0.8 of its way to the border. `reach`
-/// counts: a region may have to grow until the vertex is joined to it along the surface. Throws Cancelled.
+/// (McDonnell & Qin, 3.2.2: no vertex under the master alone). A vertex is taken in by the region that it
+/// is nearest to, measured by the regions' first sizes; it is grown until the vertex lies at 0.8 of its way to
+/// the border. `reach` counts: a region may have to grow until the vertex is joined to it along the surface.
+/// Throws Cancelled.
 Coverage growCoverage(std::vector<ControlPoint>& points, const RestMesh& mesh, const Progress& progress);
 
 }  // namespace pbffd

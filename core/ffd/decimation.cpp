@@ -5,6 +5,7 @@
 #include "core/ffd/partner_search.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <queue>
 #include <tuple>
 
@@ -32,8 +33,8 @@ struct Candidate {
 class ClosestFirst {
  public:
   ClosestFirst(const Points& points, const MergeRules& rules)
-      : search_(points, rules), versions_(static_cast<std::size_t>(points.rows()), 0) {
-    std::vector<PartnerSearch::Partner> partners(versions_.size());
+      : search_(points, rules), count_(static_cast<Index>(points.rows())) {
+    std::vector<PartnerSearch::Partner> partners(static_cast<std::size_t>(count_));
     parallelFor(partners.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         partners[i] = search_.best(static_cast<Index>(i));
@@ -56,15 +57,14 @@ class ClosestFirst {
     while (!queue_.empty()) {
       const Candidate top = queue_.top();
       queue_.pop();
-      if (!search_.isAlive(top.owner) || versions_[top.owner] != top.ownerVersion) {
+      if (!search_.isAlive(top.owner) || search_.version(top.owner) != top.ownerVersion) {
         continue;
       }
-      if (!search_.isAlive(top.partner()) || versions_[top.partner()] != top.partnerVersion) {
+      if (!search_.isAlive(top.partner()) || search_.version(top.partner()) != top.partnerVersion) {
         push(top.owner);
         continue;
       }
       search_.merge(top.low, top.high);
-      ++versions_[top.low];
       merges.push_back({top.low, top.high});
       push(top.low);
       return true;
@@ -74,7 +74,7 @@ class ClosestFirst {
 
   MergedPoints result(std::vector<Merge> merges) const {
     MergedPoints merged{Points(search_.aliveCount(), 3), {}, std::move(merges)};
-    for (Index place = 0; place < static_cast<Index>(versions_.size()); ++place) {
+    for (Index place = 0; place < count_; ++place) {
       if (search_.isAlive(place)) {
         merged.points.row(static_cast<Index>(merged.places.size())) = search_.point(place);
         merged.places.push_back(place);
@@ -85,8 +85,8 @@ class ClosestFirst {
 
  private:
   Candidate candidate(Index owner, const PartnerSearch::Partner& partner) const {
-    return {partner.cost,     std::min(owner, partner.place), std::max(owner, partner.place), owner,
-            versions_[owner], versions_[partner.place]};
+    return {partner.cost, std::min(owner, partner.place), std::max(owner, partner.place),
+            owner,        search_.version(owner),         search_.version(partner.place)};
   }
   void push(Index owner) {
     if (const auto partner = search_.best(owner); partner.place >= 0) {
@@ -95,7 +95,7 @@ class ClosestFirst {
   }
 
   PartnerSearch search_;
-  std::vector<std::uint32_t> versions_;
+  Index count_;
   std::priority_queue<Candidate> queue_;
 };
 

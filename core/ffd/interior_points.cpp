@@ -222,7 +222,7 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
     return pool;
   }
   // A few candidates for each that is wanted; of a volume that is small in its box no more than fit in memory.
-  constexpr double candidatesPerPoint = 8.0;
+  constexpr double candidatesPerPoint = 4.0;
   constexpr double greatestGrid = 1e6;
   const double boxVolume = (bounds.high - bounds.low).prod();
   const double cell = std::cbrt(std::max(volume / (candidatesPerPoint * target), boxVolume / greatestGrid));

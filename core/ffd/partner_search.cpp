@@ -12,15 +12,33 @@ constexpr Index leafSize = 8;
 
 }  // namespace
 
+/// Looks for the nearest few that come after a partner tried before and before a limit.
 struct PartnerSearch::Query {
   Index place;
   Vec3 from;
-  Partner best;
-  bool withFactor;  ///< or by distance alone
+  std::size_t few;             ///< how many are looked for
+  Partner after;               ///< found ones are farther than this
+  Partner limit;               ///< ... and nearer than this
+  std::vector<Partner> found;  ///< by distance, then place; the cost is the squared distance alone
 
-  /// Whether a partner at this squared distance, of this place or a higher one, could still be better.
-  bool mayImprove(double squared, Index lowestPlace) const {
-    return squared < best.cost || (squared == best.cost && lowestPlace < best.place);
+  static bool isBetter(double cost, Index place, const Partner& than) {
+    return cost < than.cost || (cost == than.cost && place < than.place);
+  }
+  /// Whether a partner at this squared distance, of this place or a higher one, could still be found.
+  bool mayFind(double squared, Index lowestPlace) const {
+    return isBetter(squared, lowestPlace, limit) &&
+           (found.size() < few || isBetter(squared, lowestPlace, found.back()));
+  }
+  void offer(double squared, Index other) {
+    if (!mayFind(squared, other) || !isBetter(after.cost, after.place, {other, squared})) {
+      return;
+    }
+    if (found.size() == few) {
+      found.pop_back();
+    }
+    const auto at = std::find_if(found.begin(), found.end(),
+                                 [&](const Partner& one) { return isBetter(squared, other, one); });
+    found.insert(at, {other, squared});
   }
 };
 
@@ -29,6 +47,8 @@ PartnerSearch::PartnerSearch(const Points& points, const MergeRules& rules)
       points_(points),
       leafOf_(static_cast<std::size_t>(points.rows()), 0),
       rootOf_(leafOf_.size(), 0),
+      versions_(leafOf_.size(), 0),
+      known_(leafOf_.size()),
       alive_(static_cast<Index>(points.rows())) {
   build();
 }
@@ -114,19 +134,44 @@ double PartnerSearch::squaredDistance(const Node& node, const Vec3& from) const 
   return out.squaredNorm();
 }
 
-PartnerSearch::Partner PartnerSearch::best(Index place) const {
-  Query query{place, point(place), {}, false};
-  search(query);
-  if (!rules_.factor || query.best.place < 0) {
-    return query.best;
+PartnerSearch::Partner PartnerSearch::best(Index place) {
+  constexpr std::size_t most = 128;
+  constexpr double nowhere = -1.0;
+  Query query{place, point(place), 1, {-1, nowhere}, {}, {}};
+  // By distance, until the next one could not be the best whatever its factor; mostly the first one is.
+  while (true) {
+    query.found.clear();
+    search(query);
+    for (const Partner& partner : query.found) {
+      if (!Query::isBetter(partner.cost, partner.place, query.limit)) {
+        return query.limit;
+      }
+      const double factor = rules_.factor ? factorOf(place, partner.place) : 1.0;
+      const double cost = std::isfinite(factor) ? factor * partner.cost : factor;
+      if (std::isfinite(factor) && Query::isBetter(cost, partner.place, query.limit)) {
+        query.limit = {partner.place, cost};
+      }
+    }
+    if (query.found.size() < query.few) {
+      return query.limit;
+    }
+    query.after = query.found.back();
+    query.few = std::min(most, 8 * query.few);
   }
-  // Mostly the nearest one is not put back, and then nothing else needs to be asked for.
-  if (rules_.factor(query.from, point(query.best.place)) == 1.0) {
-    return query.best;
+}
+
+double PartnerSearch::factorOf(Index place, Index other) {
+  for (const Known& known : known_[place]) {
+    if (known.other == other && known.version == versions_[other]) {
+      return known.factor;
+    }
   }
-  query = {place, query.from, {}, true};
-  search(query);
-  return query.best;
+  const double factor = rules_.factor(point(place), point(other));
+  // What is not put back is found at once the next time; only the rest is worth keeping.
+  if (factor != 1.0) {
+    known_[place].push_back({other, versions_[other], factor});
+  }
+  return factor;
 }
 
 void PartnerSearch::search(Query& query) const {
@@ -136,7 +181,7 @@ void PartnerSearch::search(Query& query) const {
   while (size > 0) {
     const auto [index, squared] = open[--size];
     const Node& node = nodes_[index];
-    if (node.alive == 0 || !query.mayImprove(squared, node.lowestPlace)) {
+    if (node.alive == 0 || !query.mayFind(squared, node.lowestPlace)) {
       continue;
     }
     if (node.left < 0) {
@@ -157,21 +202,15 @@ void PartnerSearch::visitLeaf(const Node& leaf, Query& query) const {
     if (other == query.place || !isAlive(other)) {
       continue;
     }
-    const Vec3 at = point(other);
-    const double squared = (at - query.from).squaredNorm();
-    if (!query.mayImprove(squared, other)) {
-      continue;
-    }
-    const double factor = query.withFactor ? rules_.factor(query.from, at) : 1.0;
-    if (std::isfinite(factor) && query.mayImprove(squared * factor, other)) {
-      query.best = {other, squared * factor};
-    }
+    query.offer((point(other) - query.from).squaredNorm(), other);
   }
 }
 
 void PartnerSearch::merge(Index kept, Index gone) {
   const Vec3 middle = 0.5 * (point(kept) + point(gone));
   points_.row(kept) = middle;
+  ++versions_[kept];
+  known_[kept].clear();
   for (Index n = leafOf_[kept]; n >= 0; n = nodes_[n].parent) {
     nodes_[n].low = nodes_[n].low.cwiseMin(middle);
     nodes_[n].high = nodes_[n].high.cwiseMax(middle);

@@ -1,6 +1,7 @@
 #include "core/ffd/placement.h"
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/ffd/coverage.h"
 #include "core/ffd/placement_cache.h"
@@ -8,6 +9,7 @@
 #include "core/mesh/voronoi.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pbffd {
@@ -118,14 +120,26 @@ Places choosePlaces(const PlacementCache& cache, const PlacementOptions& options
       wanted, options.exteriorShare < 1.0 ? inside.size() : 0,
       options.exteriorShare > 0.0 || inside.size() == 0 ? exterior.outside.size() : 0, exterior.around.size());
   progress.report("Placing points: merging");
+  // Side by side: much of merging goes one pair after the other.
+  struct Task {
+    const PointPool& from;
+    Index target;
+    Side side;
+  };
+  const std::array<Task, 3> tasks{Task{inside, shares.interior, Side::inside},
+                                  Task{exterior.outside, shares.exterior, Side::outside},
+                                  Task{exterior.around, shares.around, Side::outside}};
+  std::array<PointPool, 3> pools;
+  parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pools[i] = decimatedPool(tasks[i].from, tasks[i].target, tasks[i].side, parts, progress);
+    }
+  });
   Places places;
-  places.pool = decimatedPool(inside, shares.interior, Side::inside, parts, progress);
-  places.interior = places.pool.size();
-  const PointPool outside = decimatedPool(exterior.outside, shares.exterior, Side::outside, parts, progress);
-  const PointPool around = decimatedPool(exterior.around, shares.around, Side::outside, parts, progress);
-  for (const PointPool* more : {&outside, &around}) {
-    for (Index i = 0; i < more->size(); ++i) {
-      places.pool.append(more->points.row(i), more->parts[i]);
+  places.interior = pools[0].size();
+  for (const PointPool& pool : pools) {
+    for (Index i = 0; i < pool.size(); ++i) {
+      places.pool.append(pool.points.row(i), pool.parts[i]);
     }
   }
   places.pool.shrink();

@@ -12,6 +12,10 @@ namespace {
 /// A pair across a wall counts as if it were twice as far apart.
 constexpr double wallFactor = 4.0;
 
+/// Octree cells, which know no walls, leave so many points for each that is wanted, and no fewer than these.
+constexpr Index poolFactor = 16;
+constexpr Index exactFrom = 1000;
+
 MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
   MergeRules rules;
   if (static_cast<Index>(std::set<Index>(pool.parts.begin(), pool.parts.end()).size()) <= target) {
@@ -29,10 +33,6 @@ MergeRules rulesFor(const PointPool& pool, Index target, Side side, const Surfac
   return rules;
 }
 
-PointPool poolOf(const Decimated& decimated) {
-  return {decimated.points, decimated.groups};
-}
-
 /// Where no pair may merge any more: of each closest pair the one of the higher place goes.
 PointPool thinned(const PointPool& pool, Index target) {
   MergedPoints merged = mergeClosestPairs(pool.points, target, {pool.parts, nullptr});
@@ -45,6 +45,18 @@ PointPool thinned(const PointPool& pool, Index target) {
   }
   result.shrink();
   return result;
+}
+
+/// Exact merging, with an eye on walls and sides.
+PointPool merged(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
+                 const Progress& progress) {
+  const MergedPoints left =
+      mergeClosestPairs(pool.points, target, rulesFor(pool, target, side, parts), progress);
+  PointPool result{left.points, {}};
+  for (const Index place : left.places) {
+    result.parts.push_back(pool.parts[place]);
+  }
+  return result.size() > target ? thinned(result, target) : result;
 }
 
 std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& parts,
@@ -95,14 +107,16 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
   if (target <= 0) {
     return {};
   }
-  const auto decimated = [&](const PointPool& from) {
-    const PointPool left =
-        poolOf(decimate(from.points, target, rulesFor(from, target, side, parts), {}, progress));
-    return left.size() > target ? thinned(left, target) : left;
-  };
-  PointPool result = decimated(pool);
+  const MergeRules rules = rulesFor(pool, target, side, parts);
+  const Index enough = std::max(exactFrom, poolFactor * target);
+  const Decimated coarse = decimateInOctree(pool.points, enough, {rules.groups, nullptr}, progress);
+  PointPool left{coarse.points, coarse.groups};
+  if (left.size() < pool.size()) {
+    left = withoutOffSide(left, side, parts, progress);
+  }
+  PointPool result = merged(left, target, side, parts, progress);
   if (hasOffSide(result, side, parts, progress)) {
-    result = decimated(withoutOffSide(pool, side, parts, progress));
+    result = merged(withoutOffSide(left, side, parts, progress), target, side, parts, progress);
   }
   return result;
 }

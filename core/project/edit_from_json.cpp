@@ -297,13 +297,4 @@ std::vector<Edit> editsFrom(const JsonReader& reader) {
   return edits;
 }
 
-LineAndColumn lineAndColumn(std::string_view text, std::size_t byte) {
-  LineAndColumn at;
-  const std::size_t end = std::min(text.size(), byte == 0 ? 0 : byte - 1);
-  for (std::size_t i = 0; i < end; ++i) {
-    at = text[i] == '\n' ? LineAndColumn{at.line + 1, 1} : LineAndColumn{at.line, at.column + 1};
-  }
-  return at;
-}
-
 }  // namespace pbffd

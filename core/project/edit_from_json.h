@@ -15,11 +15,4 @@ std::vector<Edit> editsFrom(const JsonReader& reader);
 
 Json editToJson(const Edit& edit);
 
-/// Where a byte (counted from 1) of a text stands, counted from 1.
-struct LineAndColumn {
-  std::size_t line = 1;
-  std::size_t column = 1;
-};
-LineAndColumn lineAndColumn(std::string_view text, std::size_t byte);
-
 }  // namespace pbffd

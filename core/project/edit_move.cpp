@@ -4,6 +4,8 @@
 #include "core/project/edit_functions.h"
 #include "core/project/edit_spread.h"
 
+#include <algorithm>
+
 namespace pbffd {
 namespace {
 
@@ -39,6 +41,15 @@ Vec3 masterShift(const Move& edit) {
   }
   return withoutComponents(edit.by.size() == 1 ? edit.by[0] : Vec3(sum / static_cast<double>(edit.by.size())),
                            edit.spread.mirror);
+}
+
+int posedPoints(const ControlSet& set) {
+  int count = 0;
+  for (const Level& level : set.levels) {
+    count += static_cast<int>(std::count_if(
+        level.begin(), level.end(), [](const ControlPoint& point) { return !(point.pose == point.rest); }));
+  }
+  return count;
 }
 
 }  // namespace
@@ -107,6 +118,11 @@ Project applied(const EditScope& scope, const Reset&) {
     }
     const Project current = l == 0 ? scope.before : project;
     project = withPoses({current, scope.workspace, scope.progress, scope.remarks}, std::move(edited), l);
+  }
+  if (const int stayed = posedPoints(project.controls); stayed > 0) {
+    scope.remarks.push_back(format("{} locked point{} stayed in place; unlock {} to put {} back to rest too.",
+                                   stayed, stayed == 1 ? "" : "s", stayed == 1 ? "it" : "them",
+                                   stayed == 1 ? "it" : "them"));
   }
   return project;
 }

@@ -5,7 +5,7 @@
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
 #include "core/project/archive.h"
-#include "core/project/edit_from_json.h"
+#include "core/project/json_text.h"
 #include "core/project/project_json.h"
 
 #include <algorithm>
@@ -25,12 +25,9 @@ constexpr const char* thumbnailName = "thumbnail.png";
 
 Json parsedDocument(const std::filesystem::path& path, const std::string& text) {
   try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const LineAndColumn at = lineAndColumn(text, error.byte);
-    failToOpen(path, format("{}, line {}, column {} is not valid JSON", documentName, at.line, at.column));
-  } catch (const Json::exception&) {
-    failToOpen(path, format("{} holds a number that is not finite", documentName));
+    return parsedJson(text);
+  } catch (const JsonTextError& error) {
+    failToOpen(path, format("{}, {}", documentName, error.what()));
   }
 }
 

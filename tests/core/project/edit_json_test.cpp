@@ -108,6 +108,15 @@ class EditJsonTest : public QObject {
         "edit 1 (group): edit 1 (reset): /0/group/edits/0/reset: the key \"x\"");
   }
 
+  void nestingOutOfAllReasonIsRefused() {
+    QVERIFY_EXCEPTION_THROWN(parseEdits(std::string(1000000, '['), "e.json"), InvalidInput);
+    std::string groups;
+    for (int i = 0; i < 100000; ++i) {
+      groups += "{\"group\":{\"edits\":[";
+    }
+    QVERIFY_EXCEPTION_THROWN(parseEdits(groups, "e.json"), InvalidInput);
+  }
+
   void mistakesAreNamedWithTheirPlace() {
     QFETCH(QString, json);
     QFETCH(QString, message);

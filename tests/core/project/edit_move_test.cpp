@@ -359,7 +359,11 @@ class EditMoveTest : public QObject {
     project = after(project, Lock{{3, {4}}, true});
     const Frame pose = pointOf(project, 4).pose;
     project = after(project, Move{{3, {5}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
-    project = after(project, Reset{});
+    EditWorkspace workspace;
+    const EditResult result = apply(project, Reset{}, workspace);
+    QCOMPARE(result.remarks.size(), std::size_t{1});
+    QVERIFY(contains(result.remarks[0], "1 locked point stayed"));
+    project = result.project;
     QVERIFY(pointOf(project, 4).pose == pose);
     QVERIFY(pointOf(project, 5).pose == pointOf(project, 5).rest);
     QVERIFY(levelError(project) < 1e-13);

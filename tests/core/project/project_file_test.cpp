@@ -216,7 +216,9 @@ class ProjectFileTest : public QObject {
 
   void numbersThatAreNotFiniteAreRefused() {
     changeText("\"next_id\":", "\"big\":1e999,\"next_id\":");
-    QVERIFY(contains(refusal(), "not finite"));
+    QVERIFY(contains(refusal(), "too large to be finite"));
+    changeText("\"next_id\":", "\"deep\":" + std::string(5000, '[') + std::string(5000, ']') + ",\"next_id\":");
+    QVERIFY(contains(refusal(), "nested"));
     changeText("\"next_id\":", "\"big\":NaN,\"next_id\":");
     QVERIFY(contains(refusal(), "is not valid JSON"));
   }

@@ -1,7 +1,7 @@
 #include "app/cli/measurements.h"
 
 #include "core/base/parallel.h"
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 #include "core/mesh/voronoi.h"
 
 #include <Eigen/SparseCore>

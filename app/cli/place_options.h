@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/placement.h"
+#include "core/ffd/placement/placement.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/space_deformation.h"
+#include "core/ffd/deform/space_deformation.h"
 #include "core/mesh/alignment.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/ffd/placement.h"
-#include "core/ffd/weight_cache.h"
+#include "core/ffd/levels/weight_cache.h"
+#include "core/ffd/placement/placement.h"
 #include "core/project/project.h"
 
 #include <optional>

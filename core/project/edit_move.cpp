@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/ffd/frames_follow.h"
+#include "core/ffd/levels/frames_follow.h"
 #include "core/project/edit_functions.h"
 #include "core/project/edit_spread.h"
 

@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/ffd/placement.h"
+#include "core/ffd/placement/placement.h"
 #include "core/project/edit_functions.h"
 
 #include <functional>

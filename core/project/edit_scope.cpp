@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/ffd/frame_checks.h"
-#include "core/ffd/hierarchy.h"
+#include "core/ffd/levels/hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

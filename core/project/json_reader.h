@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/types.h"
-#include "core/ffd/placement.h"
+#include "core/ffd/placement/placement.h"
 
 #include <nlohmann/json.hpp>
 

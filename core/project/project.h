@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/ffd/control_set.h"
-#include "core/ffd/placement.h"
+#include "core/ffd/placement/placement.h"
 #include "core/mesh/rest_mesh.h"
 
 #include <memory>

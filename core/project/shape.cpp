@@ -1,6 +1,6 @@
 #include "core/project/shape.h"
 
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 
 #include <algorithm>
 

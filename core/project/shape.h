@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/weight_cache.h"
+#include "core/ffd/levels/weight_cache.h"
 #include "core/mesh/io/mesh_io.h"
 #include "core/project/project.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 
 #include <memory>
 #include <string>

@@ -23,7 +23,10 @@ Folders joined(Folders first, const Folders& second) {
 
 /// Folders that lie in others stand before them.
 const std::vector<Layer>& layers() {
-  static const Folders core{"core/base", "core/mesh", "core/mesh/io", "core/ffd", "core/project"};
+  static const Folders space{"core/base", "core/mesh", "core/ffd"};
+  static const Folders weighted = joined(space, {"core/ffd/weights"});
+  static const Folders placed = joined(weighted, {"core/ffd/deform", "core/ffd/placement"});
+  static const Folders core = joined(placed, {"core/ffd/levels", "core/mesh/io", "core/project"});
   static const Folders uiCore = joined(core, {"ui/document"});
   static const Folders uiShown = joined(uiCore, {"ui/models", "ui/views"});
   static const Folders uiAll = joined(uiShown, {"ui/controllers"});
@@ -31,6 +34,10 @@ const std::vector<Layer>& layers() {
       {"core/base", {}},
       {"core/mesh/io", {"core/base", "core/mesh"}},
       {"core/mesh", {"core/base"}},
+      {"core/ffd/weights", space},
+      {"core/ffd/deform", weighted},
+      {"core/ffd/placement", weighted},
+      {"core/ffd/levels", placed},
       {"core/ffd", {"core/base", "core/mesh"}},
       {"core/project", core},
       {"ui/document", core},

@@ -48,6 +48,9 @@ class LayersTest : public QObject {
     row("base looks at mesh", "core/base/file.cpp", "\"core/mesh/mesh.h\"");
     row("mesh looks at its readers", "core/mesh/mesh.cpp", "\"core/mesh/io/mesh_io.h\"");
     row("mesh looks at ffd", "core/mesh/mesh.cpp", "\"core/ffd/basis.h\"");
+    row("weights look at the deformation", "core/ffd/weights/reach.cpp", "\"core/ffd/deform/strain.h\"");
+    row("placement looks at the levels", "core/ffd/placement/decimation.cpp",
+        "\"core/ffd/levels/hierarchy.h\"");
     row("ffd looks at project", "core/ffd/basis.cpp", "\"core/project/edit.h\"");
     row("core looks at ui", "core/project/edit.cpp", "\"ui/document/document.h\"");
     row("document looks at a model", "ui/document/document.cpp", "\"ui/models/scene_tree.h\"");
@@ -56,10 +59,10 @@ class LayersTest : public QObject {
     row("a controller looks at the window", "ui/controllers/actions.cpp", "\"ui/window/main_window.h\"");
     row("ui looks at app", "ui/window/main_window.cpp", "\"app/dataset/reader.h\"");
     row("the command line looks at ui", "app/cli/main.cpp", "\"ui/document/document.h\"");
-    row("Qhull outside its file", "core/ffd/placement.cpp", "<libqhull_r/qhull_ra.h>");
+    row("Qhull outside its file", "core/ffd/placement/placement.cpp", "<libqhull_r/qhull_ra.h>");
     row("OpenMesh outside its file", "core/mesh/mesh.cpp", "<OpenMesh/Core/Mesh/TriMesh.hh>");
     row("nanoflann outside its file", "core/mesh/nearest.h", "<nanoflann.hpp>");
-    row("TBB outside its file", "core/ffd/deformation.cpp", "<tbb/parallel_for.h>");
+    row("TBB outside its file", "core/ffd/deform/deformation.cpp", "<tbb/parallel_for.h>");
     row("OpenSSL outside its file", "core/project/project_file.cpp", "<openssl/evp.h>");
     row("fmt outside its file", "core/base/file.cpp", "<fmt/format.h>");
     row("libzip outside its files", "core/project/edit.cpp", "<zip.h>");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 #include "core/project/edit.h"
 #include "core/project/project_file.h"
 #include "ui/document/edited_points.h"

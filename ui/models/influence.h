@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/ffd/control_set.h"
-#include "core/ffd/parameterization.h"
+#include "core/ffd/weights/parameterization.h"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 #include "core/mesh/rest_mesh.h"
 #include "ui/views/mesh_actor.h"
 

@@ -2,7 +2,7 @@
 #include "app/dataset/field_transport.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/ffd/space_deformation.h"
+#include "core/ffd/deform/space_deformation.h"
 #include "core/mesh/io/mesh_io.h"
 #include "tests/app/dataset/fixture.h"
 #include "tests/support/shapes.h"

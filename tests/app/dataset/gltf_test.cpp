@@ -4,7 +4,7 @@
 #include "app/dataset/gltf_text.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/ffd/space_deformation.h"
+#include "core/ffd/deform/space_deformation.h"
 #include "tests/app/dataset/fixture.h"
 #include "tests/support/test_main.h"
 

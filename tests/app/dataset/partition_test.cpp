@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/ffd/space_deformation.h"
+#include "core/ffd/deform/space_deformation.h"
 #include "tests/app/dataset/fixture.h"
 #include "tests/app/dataset/partition_fixture.h"
 #include "tests/support/test_main.h"

@@ -1,4 +1,4 @@
-#include "core/ffd/frames_follow.h"
+#include "core/ffd/levels/frames_follow.h"
 #include "core/project/mirror.h"
 #include "tests/core/project/projects.h"
 #include "tests/support/test_main.h"

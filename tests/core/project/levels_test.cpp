@@ -1,4 +1,4 @@
-#include "core/ffd/deformation.h"
+#include "core/ffd/deform/deformation.h"
 #include "tests/core/project/projects.h"
 #include "tests/support/test_main.h"
 

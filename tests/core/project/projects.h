@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/ffd/hierarchy.h"
+#include "core/ffd/levels/hierarchy.h"
 #include "core/project/edit.h"
 #include "tests/support/shapes.h"
 

@@ -1,0 +1,246 @@
+#include "core/ffd/placement/interior_points.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/ffd/placement/random_order.h"
+#include "core/ffd/placement/spaced_picks.h"
+#include "core/mesh/voronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace pbffd {
+namespace {
+
+/// A Voronoi vertex nearer to the surface than this share of the diagonal is a sliver's ...
+constexpr double sliverShareOfDiagonal = 0.01;
+/// ... unless the part is that thin: half of the radius that is usual in its volume.
+constexpr double sliverShareOfUsual = 0.5;
+
+/// The sites of a Voronoi vertex vote by their normals; the vote counts when all agree and none of the normals
+/// stands across the way to the vertex. Measured: then 0 to 0.01 % of the votes on a simple closed mesh are
+/// wrong, but 2 % where shells lie in each other, and 0.1 % where a mesh runs through itself.
+constexpr double clearVote = 0.4;
+/// One vote in so many is checked by the winding number; if any is wrong, none counts.
+constexpr std::uint64_t votesToCheck = 16;
+
+enum class Vote : std::uint8_t { open, inside, outside };
+
+Vote voteOn(Index vertex, const SurfaceSamples& sites, const VoronoiVertices& vertices) {
+  double least = 1.0;
+  double greatest = -1.0;
+  for (const Index site : vertices.sites(vertex)) {
+    const double cosine =
+        (vertices.positions.row(vertex) - sites.positions.row(site)).dot(sites.normals.row(site)) /
+        vertices.radii[static_cast<std::size_t>(vertex)];
+    least = std::min(least, cosine);
+    greatest = std::max(greatest, cosine);
+  }
+  return greatest < -clearVote ? Vote::inside : least > clearVote ? Vote::outside : Vote::open;
+}
+
+/// The radius that half of the volume is on either side of, each ball counting with its volume.
+double usualRadius(std::vector<double> radii) {
+  std::sort(radii.begin(), radii.end());
+  double total = 0.0;
+  for (const double radius : radii) {
+    total += radius * radius * radius;
+  }
+  double below = 0.0;
+  for (const double radius : radii) {
+    below += radius * radius * radius;
+    if (below >= 0.5 * total) {
+      return radius;
+    }
+  }
+  return 0.0;
+}
+
+/// The distance from the surface below which a Voronoi vertex counts as a sliver's, for each part.
+std::vector<double> sliverRadii(const SurfaceParts& parts, const PointPool& inside,
+                                const std::vector<double>& radii) {
+  std::vector<std::vector<double>> radiiOfPart(static_cast<std::size_t>(parts.count()));
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    radiiOfPart[inside.parts[i]].push_back(radii[i] / parts.mesh().diagonal());
+  }
+  std::vector<double> limits;
+  for (auto& one : radiiOfPart) {
+    limits.push_back(parts.mesh().diagonal() *
+                     std::min(sliverShareOfDiagonal, sliverShareOfUsual * usualRadius(std::move(one))));
+  }
+  return limits;
+}
+
+/// Points of a grid over the bounds, each moved within its cell, that lie inside.
+std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double cell, unsigned seed,
+                                  const Progress& progress) {
+  const Bounds& bounds = parts.mesh().bounds();
+  Index counts[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    counts[axis] = static_cast<Index>(std::ceil((bounds.high[axis] - bounds.low[axis]) / cell)) + 1;
+  }
+  const auto total = static_cast<std::size_t>(counts[0]) * counts[1] * counts[2];
+  Points points(static_cast<Eigen::Index>(total), 3);
+  for (std::size_t i = 0; i < total; ++i) {
+    const std::size_t at[3] = {i % counts[0], i / counts[0] % counts[1], i / counts[0] / counts[1]};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double shift = 0.5 * (randomShare(seed, 3 * i + axis) - 0.5);
+      points(static_cast<Index>(i), axis) = bounds.low[axis] + cell * (static_cast<double>(at[axis]) + shift);
+    }
+  }
+  const std::vector<bool> isInside = parts.insideFlags(points, progress);
+  std::vector<Vec3> inside;
+  for (std::size_t i = 0; i < total; ++i) {
+    if (isInside[i]) {
+      inside.emplace_back(points.row(static_cast<Index>(i)));
+    }
+  }
+  return inside;
+}
+
+/// The part of the nearest vertex that belongs to a closed part.
+Index partNear(const SurfaceParts& parts, const Vec3& point) {
+  for (int k = 8; k <= 512; k *= 8) {
+    for (const auto& neighbour : parts.mesh().nearestVertex().nearest(point, k)) {
+      const Index part = parts.partOfVertex()[neighbour.index];
+      if (part >= 0 && parts.isClosed(part)) {
+        return part;
+      }
+    }
+  }
+  for (Index part = 0; part < parts.count(); ++part) {
+    if (parts.isClosed(part)) {
+      return part;
+    }
+  }
+  return 0;
+}
+
+/// The usual distance of `target` points that share a volume; a little less than dart throwing gives.
+double spacingIn(double volume, Index target) {
+  constexpr double packing = 0.7;
+  return packing * std::cbrt(volume / target);
+}
+
+}  // namespace
+
+std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
+                              const VoronoiVertices& vertices, const Progress& progress) {
+  const auto count = static_cast<std::size_t>(vertices.size());
+  std::vector<Vote> votes(count, Vote::open);
+  if (parts.countOf(true) == 1) {
+    parallelFor(count, 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        votes[v] = voteOn(static_cast<Index>(v), sites, vertices);
+      }
+    });
+  }
+  std::vector<Index> open;
+  std::vector<Index> sample;
+  for (std::size_t v = 0; v < count; ++v) {
+    if (votes[v] == Vote::open) {
+      open.push_back(static_cast<Index>(v));
+    } else if (scrambled(v) % votesToCheck == 0) {
+      sample.push_back(static_cast<Index>(v));
+    }
+  }
+  const auto decide = [&](const std::vector<Index>& rows) {
+    Points points(static_cast<Index>(rows.size()), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      points.row(static_cast<Index>(i)) = vertices.positions.row(rows[i]);
+    }
+    return parts.insideFlags(points, progress);
+  };
+  const std::vector<bool> checked = decide(sample);
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    if (checked[i] != (votes[sample[i]] == Vote::inside)) {
+      return parts.insideFlags(vertices.positions, progress);
+    }
+  }
+  const std::vector<bool> decided = decide(open);
+  std::vector<bool> isInside(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    isInside[v] = votes[v] == Vote::inside;
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    isInside[open[i]] = decided[i];
+  }
+  return isInside;
+}
+
+PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites,
+                              const Progress& progress) {
+  if (sites.size() < 4 || areCoplanar(sites.positions)) {
+    return {};
+  }
+  VoronoiVertices vertices;
+  try {
+    vertices = voronoiVertices(sites.positions, progress);
+  } catch (const SolverError&) {
+    // Points spread over the inside take their place.
+    return {};
+  }
+  progress.report("Placing points: inside");
+  const std::vector<bool> isInside = insideFlags(parts, sites, vertices, progress);
+  PointPool inside;
+  std::vector<double> radii;
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[v]) {
+      inside.append(vertices.positions.row(v), sites.parts[vertices.sites(v)[0]]);
+      radii.push_back(vertices.radii[v]);
+    }
+  }
+  inside.shrink();
+  const std::vector<double> limits = sliverRadii(parts, inside, radii);
+  PointPool kept;
+  for (Index i = 0; i < inside.size(); ++i) {
+    if (radii[i] >= limits[inside.parts[i]]) {
+      kept.append(inside.points.row(i), inside.parts[i]);
+    }
+  }
+  kept.shrink();
+  return kept;
+}
+
+PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
+                              const Progress& progress) {
+  const Bounds& bounds = parts.mesh().bounds();
+  const double volume = parts.volume();
+  if (target <= 0 || !(volume > 0.0)) {
+    return pool;
+  }
+  // How many of the pool stand as far apart as so many points in that volume would.
+  double spacing = spacingIn(volume, target);
+  SpacedPicks picks(bounds.low, bounds.high, spacing);
+  const RandomOrder order(static_cast<std::uint64_t>(pool.size()), seed);
+  for (Index i = 0; i < pool.size() && picks.size() < target; ++i) {
+    picks.pick({pool.points.row(static_cast<Index>(order[i])), Vec3::Zero(), 0, spacing});
+  }
+  if (picks.size() >= target) {
+    return pool;
+  }
+  // A few candidates for each that is wanted; of a volume that is small in its box no more than fit in memory.
+  constexpr double candidatesPerPoint = 4.0;
+  constexpr double greatestGrid = 1e6;
+  const double boxVolume = (bounds.high - bounds.low).prod();
+  const double cell = std::cbrt(std::max(volume / (candidatesPerPoint * target), boxVolume / greatestGrid));
+  const std::vector<Vec3> candidates = scatteredInside(parts, cell, seed, progress);
+  PointPool filled = pool;
+  const RandomOrder candidateOrder(candidates.size(), seed + 1);
+  std::vector<bool> isTaken(candidates.size(), false);
+  for (int attempt = 0; attempt < 8 && picks.size() < target; ++attempt, spacing *= 0.7) {
+    for (std::size_t i = 0; i < candidates.size() && picks.size() < target; ++i) {
+      const std::size_t c = candidateOrder[i];
+      if (!isTaken[c] && picks.pick({candidates[c], Vec3::Zero(), 0, spacing})) {
+        isTaken[c] = true;
+        filled.append(candidates[c], partNear(parts, candidates[c]));
+      }
+    }
+  }
+  filled.shrink();
+  return filled;
+}
+
+}  // namespace pbffd

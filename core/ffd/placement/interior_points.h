@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/ffd/placement/point_pool.h"
+#include "core/ffd/placement/surface_samples.h"
+#include "core/mesh/voronoi.h"
+
+namespace pbffd {
+
+/// The Voronoi vertices of the sites that lie inside the closed parts: the approximate medial axis
+/// (McDonnell & Qin, Figure 2, steps 1 and 2). Those of slivers, which hug the surface where there is volume
+/// farther in, are left out. Empty where the sites have no Voronoi vertices. Throws Cancelled.
+PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites, const Progress& progress);
+
+/// Whether each Voronoi vertex of sites on the closed parts is inside them: by the winding number, but mostly
+/// by the votes of the sites' normals where these can be trusted: at least 99.9 % agree with the winding
+/// number. Throws Cancelled.
+std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
+                              const VoronoiVertices& vertices, const Progress& progress);
+
+/// The pool, and where it has room for fewer than `target` points that stand well apart, points spread over
+/// the inside, so that it has: the medial axis of a sphere is its centre alone. At least `target` points come
+/// back wherever the closed parts have any inside. Throws Cancelled.
+PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
+                              const Progress& progress);
+
+}  // namespace pbffd

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/ffd/placement/decimation.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pbffd {
+
+/// Finds for a point the partner that it may best merge with, while points merge: one kd-tree a group,
+/// whose boxes grow with the mid-points and which is built anew when half of its points are gone.
+/// Keeps references to the rules.
+class PartnerSearch {
+ public:
+  PartnerSearch(const Points& points, const MergeRules& rules);
+
+  struct Partner {
+    Index place = -1;  ///< -1: none
+    double cost = std::numeric_limits<double>::infinity();
+  };
+  /// The partner of least cost, the lowest place on a tie. May run at the same time for different places.
+  Partner best(Index place);
+
+  /// The mid-point takes the place `kept`; `gone` is no more.
+  void merge(Index kept, Index gone);
+
+  /// How often the point of this place has changed.
+  std::uint32_t version(Index place) const { return versions_[place]; }
+  bool isAlive(Index place) const { return leafOf_[place] >= 0; }
+  Vec3 point(Index place) const { return points_.row(place); }
+  Index aliveCount() const { return alive_; }
+
+ private:
+  struct Node {
+    Vec3 low;
+    Vec3 high;
+    Index begin;  ///< of order_
+    Index end;
+    Index parent;
+    Index left = -1;    ///< its children are left and left + 1; -1: a leaf
+    Index lowestPlace;  ///< no point of it has a lower one
+    Index alive;        ///< points that are not gone
+  };
+  struct Query;
+  struct Known {
+    Index other;
+    std::uint32_t version;  ///< of the other
+    double factor;
+  };
+
+  void build();
+  Index addNode(Index begin, Index end, Index parent);
+  void split(Index node);
+  void search(Query& query) const;
+  double factorOf(Index place, Index other);
+  void visitLeaf(const Node& leaf, Query& query) const;
+  double squaredDistance(const Node& node, const Vec3& from) const;
+
+  const MergeRules& rules_;
+  Points points_;
+  std::vector<Index> order_;
+  std::vector<Index> leafOf_;  ///< one a place; -1: gone
+  std::vector<Index> rootOf_;  ///< one a place: the tree of its group
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> versions_;    ///< one a place
+  std::vector<std::vector<Known>> known_;  ///< one a place: factors above 1 as they were asked for
+  Index alive_ = 0;
+  Index builtWith_ = 0;
+};
+
+}  // namespace pbffd

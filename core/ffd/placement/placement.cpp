@@ -1,0 +1,223 @@
+#include "core/ffd/placement/placement.h"
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/ffd/placement/coverage.h"
+#include "core/ffd/placement/placement_cache.h"
+#include "core/ffd/placement/region_shape.h"
+#include "core/mesh/voronoi.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pbffd {
+
+void requirePlaceable(const RestMesh& mesh) {
+  constexpr auto what = "Control points cannot be placed: ";
+  if (mesh.mesh().faces.empty() || mesh.triangles().size() == 0) {
+    throw InvalidInput(
+        format("{}the mesh has {} vertices but no faces. Open a mesh with a surface, or add points by "
+               "hand.",
+               what, mesh.vertexCount()));
+  }
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (!mesh.positions().row(v).allFinite()) {
+      throw InvalidInput(
+          format("{}vertex {} has a coordinate that is not a finite number. Correct it in the mesh.", what, v));
+    }
+  }
+  const Vec3 spread = spreadOf(mesh.positions());
+  constexpr double rounding = 1e-13;
+  if (spread[2] == 0.0) {
+    throw InvalidInput(format("{}all {} vertices lie in one point. Check how the mesh was exported.", what,
+                              mesh.vertexCount()));
+  }
+  if (spread[1] <= rounding) {
+    throw InvalidInput(format("{}all {} vertices lie on one line. Check how the mesh was exported.", what,
+                              mesh.vertexCount()));
+  }
+}
+
+namespace {
+
+/// How many points go where.
+struct Shares {
+  Index interior = 0;
+  Index exterior = 0;
+  Index around = 0;
+};
+
+Index rounded(double value) {
+  return static_cast<Index>(std::lround(value));
+}
+
+/// By the area of closed and open parts, and by the exterior share within the closed ones.
+Shares wantedShares(const PlacementOptions& options, const SurfaceParts& parts) {
+  const Index total = options.points;
+  const double openArea = parts.areaOf(false);
+  const double closedArea = parts.areaOf(true);
+  Shares shares;
+  if (parts.countOf(false) > 0) {
+    const double share = openArea + closedArea > 0.0 ? openArea / (openArea + closedArea) : 1.0;
+    const Index least = std::min(parts.countOf(false), total);
+    const Index most = std::max<Index>(least, total - parts.countOf(true));
+    shares.around = parts.countOf(true) == 0 ? total : std::clamp(rounded(share * total), least, most);
+  }
+  shares.exterior = rounded(options.exteriorShare * (total - shares.around));
+  shares.interior = total - shares.around - shares.exterior;
+  return shares;
+}
+
+/// What one side has no room for goes to the others.
+Shares fittedShares(const Shares& wanted, Index interiorRoom, Index exteriorRoom, Index aroundRoom) {
+  Shares shares{std::min(wanted.interior, interiorRoom), std::min(wanted.exterior, exteriorRoom),
+                std::min(wanted.around, aroundRoom)};
+  Index missing = wanted.interior + wanted.exterior + wanted.around;
+  missing -= shares.interior + shares.exterior + shares.around;
+  const auto giveTo = [&](Index& share, Index room) {
+    const Index more = std::min(missing, room - share);
+    share += more;
+    missing -= more;
+  };
+  giveTo(shares.exterior, exteriorRoom);
+  giveTo(shares.interior, interiorRoom);
+  giveTo(shares.around, aroundRoom);
+  return shares;
+}
+
+/// The Voronoi vertices, and what stands in for them where a part has none.
+PointPool interiorPool(const PlacementCache& cache, Index wanted, const PlacementOptions& options,
+                       const Progress& progress) {
+  PointPool pool = withInteriorSamples(*cache.interior, wanted, *cache.parts, options.seed, progress);
+  std::vector<bool> hasPoints(static_cast<std::size_t>(cache.parts->count()), false);
+  for (const Index part : pool.parts) {
+    hasPoints[static_cast<std::size_t>(part)] = true;
+  }
+  const PointPool& enclosed = cache.exterior->enclosed;
+  for (Index i = 0; i < enclosed.size(); ++i) {
+    if (!hasPoints[static_cast<std::size_t>(enclosed.parts[i])]) {
+      pool.append(enclosed.points.row(i), enclosed.parts[i]);
+    }
+  }
+  pool.shrink();
+  return pool;
+}
+
+struct Places {
+  PointPool pool;
+  Index interior = 0;  ///< the first so many are interior points
+};
+
+Places choosePlaces(const PlacementCache& cache, const PlacementOptions& options, const Progress& progress) {
+  const SurfaceParts& parts = *cache.parts;
+  const Shares wanted = wantedShares(options, parts);
+  progress.report("Placing points: inside");
+  const PointPool inside = interiorPool(cache, wanted.interior, options, progress);
+  const ExteriorPools& exterior = *cache.exterior;
+  const Shares shares = fittedShares(
+      wanted, options.exteriorShare < 1.0 ? inside.size() : 0,
+      options.exteriorShare > 0.0 || inside.size() == 0 ? exterior.outside.size() : 0, exterior.around.size());
+  progress.report("Placing points: merging");
+  // Side by side: much of merging goes one pair after the other.
+  struct Task {
+    const PointPool& from;
+    Index target;
+    Side side;
+  };
+  const std::array<Task, 3> tasks{Task{inside, shares.interior, Side::inside},
+                                  Task{exterior.outside, shares.exterior, Side::outside},
+                                  Task{exterior.around, shares.around, Side::outside}};
+  std::array<PointPool, 3> pools;
+  parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pools[i] = decimatedPool(tasks[i].from, tasks[i].target, tasks[i].side, parts, progress);
+    }
+  });
+  Places places;
+  places.interior = pools[0].size();
+  for (const PointPool& pool : pools) {
+    for (Index i = 0; i < pool.size(); ++i) {
+      places.pool.append(pool.points.row(i), pool.parts[i]);
+    }
+  }
+  places.pool.shrink();
+  return places;
+}
+
+std::vector<ControlPoint> pointsAt(const Places& places, const PlacementOptions& options, double diagonal) {
+  // A point alone takes the whole mesh.
+  const std::vector<Frame> regions =
+      regionsOf(places.pool.points, options.radiusFactor, options.regions, diagonal);
+  std::vector<ControlPoint> points(regions.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].id = static_cast<PointId>(i) + 1;
+    points[i].kind = static_cast<Index>(i) < places.interior ? PointKind::interior : PointKind::exterior;
+    points[i].reach = options.reach;
+    points[i].rest = regions[i];
+    points[i].pose = regions[i];
+  }
+  return points;
+}
+
+std::string howTaken(const SurfaceParts& parts, Surface how) {
+  const Index closed = parts.countOf(true);
+  const Index open = parts.countOf(false);
+  const char* const reason = how == Surface::automatic ? "" : ", as asked";
+  if (open == 0) {
+    return format("The surface was taken as closed{}: points lie inside and outside.", reason);
+  }
+  if (closed == 0) {
+    return format("The surface was taken as open{}: points lie on both sides.", reason);
+  }
+  return format(
+      "Of the {} parts, {} {} closed, with points inside and outside, and {} {} open, with points on both "
+      "sides.",
+      closed + open, closed, closed == 1 ? "is" : "are", open, open == 1 ? "is" : "are");
+}
+
+std::vector<std::string> remarksOn(const Places& places, const PlacementCache& cache,
+                                   const PlacementOptions& options) {
+  std::vector<std::string> remarks{howTaken(*cache.parts, options.surface)};
+  if (places.pool.size() < options.points) {
+    remarks.push_back(
+        format("{} of {} points were placed: the surface has no more places for them at an offset of {} "
+               "and an exterior share of {}.",
+               places.pool.size(), options.points, options.offset, options.exteriorShare));
+  }
+  if (cache.parts->count() > options.points) {
+    remarks.push_back(format("The mesh has {} separate parts, more than points: some parts share a point.",
+                             cache.parts->count()));
+  }
+  if (cache.parts->countOf(true) > 0 && places.interior == 0 && options.exteriorShare < 1.0) {
+    remarks.emplace_back("Nothing is inside the closed surface: all points lie outside.");
+  }
+  return remarks;
+}
+
+}  // namespace
+
+PlacementResult placeControlPoints(const std::shared_ptr<const RestMesh>& mesh, const PlacementOptions& options,
+                                   const Progress& progress,
+                                   const std::shared_ptr<const PlacementCache>& before) {
+  requireValid(options);
+  progress.throwIfCancelled();
+  requirePlaceable(*mesh);
+  PlacementResult result;
+  result.cache = PlacementCache::make(mesh, options, progress, before.get());
+  result.master = makeMaster(*mesh, options.master, options.masterMode);
+  result.wanted = options.points;
+  result.asClosed = result.cache->parts->countOf(true) > 0;
+  const Places places = choosePlaces(*result.cache, options, progress);
+  std::vector<ControlPoint> points = pointsAt(places, options, mesh->diagonal());
+  progress.report("Placing points: regions");
+  growCoverage(points, *mesh, progress);
+  for (ControlPoint& point : points) {
+    result.finest.append(std::move(point));
+  }
+  result.remarks = remarksOn(places, *result.cache, options);
+  return result;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,105 @@
+#include "core/ffd/placement/placement_cache.h"
+
+#include <algorithm>
+#include <future>
+
+namespace pbffd {
+namespace {
+
+/// The numbers of points are taken in a few classes, so that the same sites serve a whole range of a slider
+/// and yet do not depend on where it stood before.
+Index classOf(int points) {
+  for (const Index limit : {2000, 5000, 10000}) {
+    if (points <= limit) {
+      return limit;
+    }
+  }
+  return 20000;
+}
+
+/// More sites than 6,000 change where 200 points lie by less than the distance between sites, and cost more
+/// than the rest of placement. Of many points each wants a choice of places.
+Index sensibleSiteCount(int points) {
+  return 3 * classOf(points);
+}
+
+/// Exterior points want a choice of places too, also where few Voronoi sites were asked for.
+Index exteriorPlaces(int points) {
+  return 3 * classOf(points) / 2;
+}
+
+/// A mesh of fewer vertices says too little of its shape by them alone: the faces are sampled too.
+constexpr Index fewVertices = 600;
+constexpr Index sitesOfFewVertices = 1500;
+
+struct Samples {
+  SurfaceSamples sites;     ///< for the Voronoi diagram
+  SurfaceSamples exterior;  ///< where exterior points start
+};
+
+Samples samplesFor(const SurfaceParts& parts, const PlacementCache::Ground& ground) {
+  Samples samples;
+  samples.sites = ground.sites == 0 ? everyVertex(parts) : spacedVertices(parts, ground.sites, ground.seed);
+  samples.exterior =
+      samples.sites.size() < ground.places ? spacedVertices(parts, ground.places, ground.seed) : samples.sites;
+  samples.exterior = withFaceSamples(parts, samples.exterior, ground.places, ground.seed);
+  if (parts.mesh().vertexCount() < fewVertices) {
+    samples.sites = withFaceSamples(parts, samples.sites, sitesOfFewVertices, ground.seed);
+  }
+  return samples;
+}
+
+/// On another thread, since Qhull knows one only. What it throws comes out of get().
+std::future<std::shared_ptr<const PointPool>> startInterior(const SurfaceParts& parts,
+                                                            const SurfaceSamples& sites,
+                                                            const Progress& progress) {
+  return std::async(std::launch::async, [&parts, sites = samplesOf(parts, sites, true), progress] {
+    return std::make_shared<const PointPool>(voronoiPointsInside(parts, sites, progress));
+  });
+}
+
+}  // namespace
+
+std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr<const RestMesh>& mesh,
+                                                           const PlacementOptions& options,
+                                                           const Progress& progress,
+                                                           const PlacementCache* before) {
+  if (before != nullptr && before->mesh != mesh) {
+    before = nullptr;
+  }
+  auto made = std::make_shared<PlacementCache>();
+  made->mesh = mesh;
+  made->ground = {options.surface, options.sites.value_or(sensibleSiteCount(options.points)),
+                  exteriorPlaces(options.points), options.seed};
+  made->offset = options.offset;
+  if (before != nullptr && before->ground.surface == options.surface) {
+    made->parts = before->parts;
+  } else {
+    progress.report("Placing points: surface");
+    made->parts = std::make_shared<const SurfaceParts>(mesh, options.surface);
+  }
+  const bool sameGround = before != nullptr && before->ground == made->ground;
+  if (sameGround && before->offset == options.offset) {
+    made->interior = before->interior;
+    made->exterior = before->exterior;
+    return made;
+  }
+  progress.throwIfCancelled();
+  const SurfaceParts& parts = *made->parts;
+  progress.report("Placing points: sites");
+  const Samples samples = samplesFor(parts, made->ground);
+  std::future<std::shared_ptr<const PointPool>> interior;
+  if (sameGround) {
+    made->interior = before->interior;
+  } else {
+    interior = startInterior(parts, samples.sites, progress);
+  }
+  made->exterior = std::make_shared<const ExteriorPools>(
+      exteriorPools(parts, samples.exterior, options.offset * mesh->diagonal(), progress));
+  if (!sameGround) {
+    made->interior = interior.get();
+  }
+  return made;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,124 @@
+#include "core/ffd/placement/point_pool.h"
+
+#include "core/ffd/placement/decimation.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace pbffd {
+namespace {
+
+/// A pair across a wall counts as if it were twice as far apart.
+constexpr double wallFactor = 4.0;
+
+/// Octree cells, which know no walls, leave so many points for each that is wanted, and no fewer than these.
+constexpr Index poolFactor = 16;
+constexpr Index exactFrom = 1000;
+
+MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
+  MergeRules rules;
+  if (static_cast<Index>(std::set<Index>(pool.parts.begin(), pool.parts.end()).size()) <= target) {
+    rules.groups = pool.parts;
+  } else {
+    rules.groups.assign(pool.parts.size(), 0);
+  }
+  rules.factor = [side, &parts](const Vec3& a, const Vec3& b) {
+    if (!parts.isBetween(a, b)) {
+      return 1.0;
+    }
+    return parts.isInside(0.5 * (a + b)) != (side == Side::inside) ? std::numeric_limits<double>::infinity()
+                                                                   : wallFactor;
+  };
+  return rules;
+}
+
+/// Where no pair may merge any more: of each closest pair the one of the higher place goes.
+PointPool thinned(const PointPool& pool, Index target) {
+  MergedPoints merged = mergeClosestPairs(pool.points, target, {pool.parts, nullptr});
+  if (merged.points.rows() > target) {
+    merged = mergeClosestPairs(pool.points, target);
+  }
+  PointPool result;
+  for (const Index place : merged.places) {
+    result.append(pool.points.row(place), pool.parts[place]);
+  }
+  result.shrink();
+  return result;
+}
+
+/// Exact merging, with an eye on walls and sides.
+PointPool merged(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
+                 const Progress& progress) {
+  const MergedPoints left =
+      mergeClosestPairs(pool.points, target, rulesFor(pool, target, side, parts), progress);
+  PointPool result{left.points, {}};
+  for (const Index place : left.places) {
+    result.parts.push_back(pool.parts[place]);
+  }
+  return result.size() > target ? thinned(result, target) : result;
+}
+
+std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+                          const Progress& progress) {
+  std::vector<bool> flags = parts.insideFlags(pool.points, progress);
+  if (side == Side::inside) {
+    flags.flip();
+  }
+  return flags;
+}
+
+bool hasOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, const Progress& progress) {
+  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
+
+PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+                         const Progress& progress) {
+  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  std::set<Index> partsOnSide;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (!flags[i]) {
+      partsOnSide.insert(pool.parts[i]);
+    }
+  }
+  PointPool kept;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (!flags[i] || !partsOnSide.contains(pool.parts[i])) {
+      kept.append(pool.points.row(i), pool.parts[i]);
+    }
+  }
+  kept.shrink();
+  return kept;
+}
+
+}  // namespace
+
+void PointPool::append(const Vec3& point, Index part) {
+  if (size() == points.rows()) {
+    points.conservativeResize(std::max<Eigen::Index>(64, 2 * points.rows()), 3);
+  }
+  points.row(size()) = point;
+  parts.push_back(part);
+}
+
+PointPool decimatedPool(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
+                        const Progress& progress) {
+  if (target <= 0) {
+    return {};
+  }
+  const MergeRules rules = rulesFor(pool, target, side, parts);
+  const Index enough = std::max(exactFrom, poolFactor * target);
+  const Decimated coarse = decimateInOctree(pool.points, enough, {rules.groups, nullptr}, progress);
+  PointPool left{coarse.points, coarse.groups};
+  if (left.size() < pool.size()) {
+    left = withoutOffSide(left, side, parts, progress);
+  }
+  PointPool result = merged(left, target, side, parts, progress);
+  if (hasOffSide(result, side, parts, progress)) {
+    result = merged(withoutOffSide(left, side, parts, progress), target, side, parts, progress);
+  }
+  return result;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,169 @@
+#include "core/ffd/placement/surface_parts.h"
+
+#include "core/base/parallel.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pbffd {
+namespace {
+
+std::vector<bool> closedFlags(const Topology& topology, Surface how) {
+  switch (how) {
+    case Surface::closed:
+      return std::vector<bool>(topology.isComponentClosed.size(), true);
+    case Surface::open:
+      return std::vector<bool>(topology.isComponentClosed.size(), false);
+    case Surface::automatic:
+      break;
+  }
+  return topology.isComponentClosed;
+}
+
+}  // namespace
+
+SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how)
+    : mesh_(std::move(mesh)),
+      isClosed_(closedFlags(mesh_->topology(), how)),
+      isTurned_(isClosed_.size(), false) {
+  const Polygons& faces = mesh_->mesh().faces;
+  const std::vector<Index>& partOfFace = mesh_->topology().componentOfFace;
+  partOfVertex_.assign(static_cast<std::size_t>(mesh_->vertexCount()), -1);
+  for (Index f = 0; f < faces.size(); ++f) {
+    for (const Index vertex : faces[f]) {
+      partOfVertex_[vertex] = partOfFace[f];
+    }
+  }
+  const Triangles& triangles = mesh_->triangles();
+  partOfTriangle_.reserve(triangles.faceOfTriangle.size());
+  for (const Index face : triangles.faceOfTriangle) {
+    partOfTriangle_.push_back(partOfFace[face]);
+  }
+  measure();
+  inside_ = std::make_unique<WindingNumber>(mesh_->positions(), closedCorners());
+  turnPartsInsideOut();
+  if (countOf(false) > 0) {
+    std::vector<Index> corners;
+    for (Index t = 0; t < triangles.size(); ++t) {
+      if (!isClosed_[partOfTriangle_[t]]) {
+        corners.insert(corners.end(), &triangles.vertices[3 * t], &triangles.vertices[3 * t] + 3);
+      }
+    }
+    openParts_ = std::make_unique<TriangleTree>(mesh_->positions(), corners);
+  }
+}
+
+void SurfaceParts::measure() {
+  const Triangles& triangles = mesh_->triangles();
+  const Vec3 center = mesh_->bounds().center();
+  area_.assign(isClosed_.size(), 0.0);
+  signedVolume_.assign(isClosed_.size(), 0.0);
+  for (Index t = 0; t < triangles.size(); ++t) {
+    Vec3 p[3];
+    for (int k = 0; k < 3; ++k) {
+      p[k] = mesh_->positions().row(triangles.vertices[3 * t + k]).transpose() - center;
+    }
+    const Vec3 twice = (p[1] - p[0]).cross(p[2] - p[0]);
+    area_[partOfTriangle_[t]] += 0.5 * twice.norm();
+    signedVolume_[partOfTriangle_[t]] += p[0].dot(twice) / 6.0;
+  }
+  for (std::size_t part = 0; part < isClosed_.size(); ++part) {
+    volume_ += isClosed_[part] ? signedVolume_[part] : 0.0;
+  }
+  volume_ = std::abs(volume_);
+}
+
+std::vector<Index> SurfaceParts::closedCorners() const {
+  const std::vector<Index>& vertices = mesh_->triangles().vertices;
+  std::vector<Index> corners;
+  corners.reserve(vertices.size());
+  for (std::size_t t = 0; t < partOfTriangle_.size(); ++t) {
+    if (isClosed_[partOfTriangle_[t]]) {
+      const bool isTurned = isTurned_[partOfTriangle_[t]];
+      corners.push_back(vertices[3 * t]);
+      corners.push_back(vertices[3 * t + (isTurned ? 2 : 1)]);
+      corners.push_back(vertices[3 * t + (isTurned ? 1 : 2)]);
+    }
+  }
+  return corners;
+}
+
+/// A part of negative volume is the wall of a hollow, or it lies inside out: then the winding number behind
+/// its faces is -1, where in the solid around a hollow it is 1.
+void SurfaceParts::turnPartsInsideOut() {
+  const Triangles& triangles = mesh_->triangles();
+  std::vector<Index> largest(isClosed_.size(), -1);
+  std::vector<double> size(isClosed_.size(), 0.0);
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const Index part = partOfTriangle_[t];
+    if (!isClosed_[part] || signedVolume_[part] >= 0.0) {
+      continue;
+    }
+    const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(triangles.vertices[3 * t + k]); };
+    if (const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm(); area > size[part]) {
+      size[part] = area;
+      largest[part] = t;
+    }
+  }
+  bool anyTurned = false;
+  for (std::size_t part = 0; part < largest.size(); ++part) {
+    if (const Index t = largest[part]; t >= 0) {
+      const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(triangles.vertices[3 * t + k]); };
+      const Vec3 behind = (at(0) + at(1) + at(2)) / 3.0 + 1e-6 * mesh_->diagonal() * triangleNormal(t);
+      isTurned_[part] = inside_->at(behind) < -0.5;
+      anyTurned = anyTurned || isTurned_[part];
+    }
+  }
+  if (anyTurned) {
+    inside_ = std::make_unique<WindingNumber>(mesh_->positions(), closedCorners());
+    volume_ = 0.0;
+    for (std::size_t part = 0; part < isClosed_.size(); ++part) {
+      volume_ += isClosed_[part] ? (isTurned_[part] ? -signedVolume_[part] : signedVolume_[part]) : 0.0;
+    }
+    volume_ = std::abs(volume_);
+  }
+}
+
+double SurfaceParts::areaOf(bool closed) const {
+  double sum = 0.0;
+  for (std::size_t part = 0; part < area_.size(); ++part) {
+    sum += isClosed_[part] == closed ? area_[part] : 0.0;
+  }
+  return sum;
+}
+
+Index SurfaceParts::countOf(bool closed) const {
+  return static_cast<Index>(std::count(isClosed_.begin(), isClosed_.end(), closed));
+}
+
+Vec3 SurfaceParts::vertexNormal(Index vertex) const {
+  const Index part = partOfVertex_[vertex];
+  const Vec3 normal = mesh_->normals().row(vertex);
+  return part >= 0 && isTurned_[part] ? Vec3(-normal) : normal;
+}
+
+Vec3 SurfaceParts::triangleNormal(Index triangle) const {
+  const std::vector<Index>& vertices = mesh_->triangles().vertices;
+  const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(vertices[3 * triangle + k]); };
+  const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
+  return isTurned_[partOfTriangle_[triangle]] ? Vec3(-normal) : normal;
+}
+
+std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress& progress) const {
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(points.rows()));
+  parallelFor(flags.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
+      flags[i] = isInside(points.row(static_cast<Index>(i)));
+    }
+  });
+  progress.throwIfCancelled();
+  return {flags.begin(), flags.end()};
+}
+
+bool SurfaceParts::isBetween(const Vec3& from, const Vec3& to) const {
+  return inside_->triangles().isCrossed(from, to) || (openParts_ && openParts_->isCrossed(from, to));
+}
+
+}  // namespace pbffd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/ffd/weights/level_values.h"
+#include "core/ffd/weights/point_blocks.h"
+#include "core/ffd/weights/reach.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pbffd {
+
+/// The points that one control point moves: blocks in ascending order, and which of their 16 points.
+struct Membership {
+  std::vector<Index> blocks;
+  std::vector<std::uint16_t> members;  ///< beside `blocks`: bit k for the k-th point; never 0
+};
+
+/// The points in the region.
+Membership pointsInside(const PointBlocks& blocks, const Region& region);
+
+/// Starts the walk in the region whose mesh vertices are `inside`. vertexOfSlot: the order of the blocks.
+void startWalk(ReachWalk& walk, const PointBlocks& blocks, const std::vector<Index>& vertexOfSlot,
+               const Region& region, const Membership& inside);
+
+/// Leaves of `membership` the points whose vertex counts in the region that the walk was started in.
+Membership countedBy(const ReachWalk& walk, const Membership& membership,
+                     const std::vector<Index>& vertexOfSlot);
+
+/// The memberships of a level the other way about: for each block the control points that move any of its
+/// points, ascending.
+struct BlockLists {
+  std::vector<Index> start;  ///< B + 1 entries
+  std::vector<Index> points;
+  std::vector<std::uint16_t> members;
+
+  BlockList list(Index block) const {
+    const auto first = static_cast<std::size_t>(start[static_cast<std::size_t>(block)]);
+    const auto count = static_cast<std::size_t>(start[static_cast<std::size_t>(block) + 1]) - first;
+    return {{points.data() + first, count}, {members.data() + first, count}};
+  }
+};
+BlockLists listsOf(const std::vector<Membership>& memberships, Index blockCount);
+
+}  // namespace pbffd

@@ -1,0 +1,117 @@
+#include "core/ffd/weights/parameterization.h"
+
+#include "core/base/parallel.h"
+#include "core/ffd/weights/membership.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace pbffd {
+namespace {
+
+constexpr std::size_t blockGrain = 64;
+
+/// The members of each control point of the level among the vertices; none for those that are disabled.
+std::vector<Membership> vertexMemberships(const RestMesh& mesh, const PointBlocks& blocks, const Level& level,
+                                          const Progress& progress) {
+  const auto count = static_cast<std::size_t>(level.size());
+  const std::vector<Index>& order = mesh.mortonOrder();
+  const bool walks = std::any_of(level.begin(), level.end(), [](const ControlPoint& point) {
+    return point.enabled && point.reach == Reach::connected;
+  });
+  std::optional<ReachWalks> pool;
+  if (walks) {
+    pool.emplace(mesh.graph(), mesh.vertexCount());
+  }
+  std::vector<Membership> memberships(count);
+  parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      progress.throwIfCancelled();
+      const ControlPoint& point = level[static_cast<Index>(j)];
+      if (!point.enabled) {
+        continue;
+      }
+      const Region region(point.rest);
+      memberships[j] = pointsInside(blocks, region);
+      if (point.reach == Reach::connected && !memberships[j].blocks.empty()) {
+        const ReachWalks::Loan walk = pool->take();
+        startWalk(*walk, blocks, order, region, memberships[j]);
+        memberships[j] = countedBy(*walk, memberships[j], order);
+      }
+    }
+  });
+  return memberships;
+}
+
+}  // namespace
+
+BlockList Parameterization::list(Index block) const {
+  const auto first = static_cast<std::size_t>(blockStart[static_cast<std::size_t>(block)]);
+  const auto count = static_cast<std::size_t>(blockStart[static_cast<std::size_t>(block) + 1]) - first;
+  return {{points.data() + first, count}, {members.data() + first, count}};
+}
+
+Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Master& master,
+                              const Level& level, const Progress& progress) {
+  progress.report("Computing weights: regions", 0.0);
+  const PointBlocks blocks(mesh.positions(), mesh.mortonOrder());
+  BlockLists lists = listsOf(vertexMemberships(mesh, blocks, level, progress), blocks.blockCount());
+
+  progress.report("Computing weights: basis values", 0.5);
+  Parameterization result;
+  result.vertexCount = mesh.vertexCount();
+  result.pointCount = level.size();
+  result.blockStart = std::move(lists.start);
+  result.points = std::move(lists.points);
+  result.members = std::move(lists.members);
+  result.weights.resize(result.points.size() * Parameterization::blockSize);
+  result.masterMembers.resize(static_cast<std::size_t>(blocks.blockCount()));
+  const LevelValues values(basis, master, level);
+  parallelFor(static_cast<std::size_t>(blocks.blockCount()), blockGrain,
+              [&](std::size_t begin, std::size_t end) {
+                progress.throwIfCancelled();
+                BlockValues block(values, blocks);
+                for (std::size_t b = begin; b < end; ++b) {
+                  block.evaluate(static_cast<Index>(b), result.list(static_cast<Index>(b)));
+                  float* weights = result.weights.data() +
+                                   static_cast<std::size_t>(result.blockStart[b]) * Parameterization::blockSize;
+                  for (const Lanes& entry : block.entries()) {
+                    blockKernels().weights(entry.data(), block.toWeight().data(), weights);
+                    weights += Parameterization::blockSize;
+                  }
+                  unsigned masterMembers = 0;
+                  for (unsigned k = 0; k < Parameterization::blockSize; ++k) {
+                    masterMembers |= static_cast<unsigned>(block.master()[k] * block.toWeight()[k] > 0.0) << k;
+                  }
+                  result.masterMembers[b] = static_cast<std::uint16_t>(masterMembers);
+                }
+              });
+  return result;
+}
+
+Reached reachedVertices(const RestMesh& mesh, const ControlPoint& point) {
+  const Region region(point.rest);
+  Reached inside;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (const double squared = region.squaredDistance(mesh.positions().row(v)); squared < 1.0) {
+      inside.vertices.push_back(v);
+      inside.uSquared.push_back(squared);
+    }
+  }
+  if (point.reach == Reach::all || inside.vertices.empty()) {
+    return inside;
+  }
+  ReachWalk walk(mesh.graph(), mesh.vertexCount());
+  walk.start(inside.vertices, inside.uSquared);
+  Reached reached;
+  for (std::size_t i = 0; i < inside.vertices.size(); ++i) {
+    if (walk.counts(inside.vertices[i])) {
+      reached.vertices.push_back(inside.vertices[i]);
+      reached.uSquared.push_back(inside.uSquared[i]);
+    }
+  }
+  return reached;
+}
+
+}  // namespace pbffd

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/ffd/basis.h"
+#include "core/ffd/weights/large_array.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pbffd {
+
+/// Points in blocks of 16, taken in an order that keeps near what is near, with a tree of boxes over the
+/// blocks: finds the few blocks that a region meets without looking at the others.
+class PointBlocks {
+ public:
+  static constexpr Index blockSize = 16;
+
+  /// order[slot] = row of `points`; block b holds slots [16 b, 16 b + 16). Keeps its own copy.
+  PointBlocks(const Points& points, const std::vector<Index>& order);
+
+  Index blockCount() const { return static_cast<Index>(coordinates_.size() / 48); }
+
+  /// |u|^2 of each point of the block, the very bits of region.squaredDistance(); not a number in the places
+  /// after the last point.
+  Lanes squaredDistances(Index block, const Region& region) const;
+
+  /// Bit k: whether the k-th point of the block is in the region.
+  std::uint16_t inside(Index block, const Region& region) const;
+
+  /// Point k of the block.
+  Vec3 point(Index block, Index k) const {
+    const double* at = &coordinates_[48 * static_cast<std::size_t>(block)];
+    return {at[k], at[blockSize + k], at[2 * blockSize + k]};
+  }
+
+  /// The blocks that may have a point in the region, ascending: all that have one, and a few more.
+  std::vector<Index> blocksNear(const Region& region) const;
+
+ private:
+  /// Eight boxes: 8 center x, y, z, 8 half x, y, z; a box of nothing is not a number and meets nothing.
+  struct alignas(64) Boxes {
+    std::array<double, 48> numbers;
+
+    void set(std::size_t k, const Vec3& low, const Vec3& high);
+    Vec3 low(std::size_t k) const;
+    Vec3 high(std::size_t k) const;
+  };
+  void collect(const Region& region, std::size_t level, Index boxes, std::vector<Index>& found) const;
+  void fillBlock(const Points& points, const std::vector<Index>& order, std::size_t block);
+  void buildTree();
+
+  LargeArray<double> coordinates_;          ///< a block's 16 x, 16 y, 16 z
+  std::vector<std::vector<Boxes>> levels_;  ///< levels_[0]: the blocks' boxes; each next: those of eights below
+};
+
+}  // namespace pbffd

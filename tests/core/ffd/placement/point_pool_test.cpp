@@ -1,0 +1,94 @@
+#include "core/ffd/placement/point_pool.h"
+#include "core/base/error.h"
+#include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
+
+#include <QtTest>
+
+#include <random>
+#include <set>
+
+namespace pbffd {
+namespace {
+
+SurfaceParts partsOf(Mesh mesh) {
+  return {std::make_shared<const RestMesh>(std::move(mesh)), Surface::automatic};
+}
+
+PointPool scattered(const SurfaceParts& parts, Index count, bool inside) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> share(-0.2, 1.2);
+  const Bounds& bounds = parts.mesh().bounds();
+  PointPool pool;
+  while (pool.size() < count) {
+    Vec3 at;
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis] = bounds.low[axis] + share(random) * (bounds.high[axis] - bounds.low[axis]);
+    }
+    if (parts.isInside(at) == inside) {
+      pool.append(at, 0);
+    }
+  }
+  pool.shrink();
+  return pool;
+}
+
+}  // namespace
+
+class PointPoolTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void pointsStayOnTheirSide() {
+    const SurfaceParts parts = partsOf(test::fork());
+    for (const bool inside : {true, false}) {
+      const PointPool pool = scattered(parts, 4000, inside);
+      for (const Index target : {300, 20}) {
+        const PointPool few = decimatedPool(pool, target, inside ? Side::inside : Side::outside, parts, {});
+        QCOMPARE(few.size(), target);
+        for (Index i = 0; i < target; ++i) {
+          QCOMPARE(parts.isInside(few.points.row(i)), inside);
+        }
+      }
+    }
+  }
+
+  void strayPointsAreTakenOutFirst() {
+    const SurfaceParts parts = partsOf(test::cube());
+    PointPool pool = scattered(parts, 200, true);
+    pool.append(Vec3(5, 5, 5), 0);
+    pool.shrink();
+    const PointPool few = decimatedPool(pool, 50, Side::inside, parts, {});
+    QCOMPARE(few.size(), 50);
+    for (Index i = 0; i < few.size(); ++i) {
+      QVERIFY(parts.isInside(few.points.row(i)));
+    }
+  }
+
+  void partsStayApartWhileThereAreEnoughPoints() {
+    const SurfaceParts parts = partsOf(test::cube());
+    PointPool pool = scattered(parts, 300, true);
+    for (Index i = 0; i < pool.size(); ++i) {
+      pool.parts[static_cast<std::size_t>(i)] = i % 5;
+    }
+    const PointPool few = decimatedPool(pool, 5, Side::inside, parts, {});
+    QCOMPARE(std::set<Index>(few.parts.begin(), few.parts.end()).size(), std::size_t(5));
+    QCOMPARE(decimatedPool(pool, 3, Side::inside, parts, {}).size(), 3);
+    QCOMPARE(decimatedPool(pool, 0, Side::inside, parts, {}).size(), 0);
+    QCOMPARE(decimatedPool(pool, 400, Side::inside, parts, {}).size(), 300);
+  }
+
+  void cancelStopsIt() {
+    const SurfaceParts parts = partsOf(test::cube());
+    const Progress progress([](std::string_view, double) {});
+    progress.cancel();
+    QVERIFY_EXCEPTION_THROWN(decimatedPool(scattered(parts, 300, true), 5, Side::inside, parts, progress),
+                             Cancelled);
+  }
+};
+
+const test::Registration<PointPoolTest> registration;
+
+}  // namespace pbffd
+
+#include "point_pool_test.moc"

@@ -1,0 +1,131 @@
+#include "core/ffd/placement/interior_points.h"
+#include "core/base/error.h"
+#include "core/mesh/nearest.h"
+#include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pbffd {
+namespace {
+
+SurfaceParts partsOf(Mesh mesh) {
+  return {std::make_shared<const RestMesh>(std::move(mesh)), Surface::automatic};
+}
+
+void requireFlagsLikeTheWindingNumber(const SurfaceParts& parts) {
+  const SurfaceSamples sites = everyVertex(parts);
+  const VoronoiVertices vertices = voronoiVertices(sites.positions);
+  const std::vector<bool> flags = insideFlags(parts, sites, vertices, {});
+  int wrong = 0;
+  for (Index v = 0; v < vertices.size(); ++v) {
+    wrong += flags[static_cast<std::size_t>(v)] != parts.isInside(vertices.positions.row(v));
+  }
+  QVERIFY2(1000 * wrong <= vertices.size(), qPrintable(QString("%1 of %2").arg(wrong).arg(vertices.size())));
+}
+
+}  // namespace
+
+class InteriorPointsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void votesAgreeWithTheWindingNumber() {
+    requireFlagsLikeTheWindingNumber(partsOf(test::fork()));
+    requireFlagsLikeTheWindingNumber(partsOf(test::cylinder()));
+    // Shells within each other, where votes go wrong.
+    requireFlagsLikeTheWindingNumber(partsOf(
+        test::merged(test::sphere(20, 40), test::placedAt(test::sphere(20, 40), 0.9, Vec3(0.05, 0, 0)))));
+    // A mesh that runs through itself.
+    requireFlagsLikeTheWindingNumber(
+        partsOf(test::merged(test::cylinder(), test::placedAt(test::cylinder(), 1.0, Vec3(0.5, 0.2, 0.1)))));
+  }
+
+  void pointsLieAlongTheAxisOfACylinder() {
+    const SurfaceParts parts = partsOf(test::cylinder());
+    const PointPool pool = voronoiPointsInside(parts, everyVertex(parts), {});
+    QVERIFY(pool.size() > 20);
+    std::set<int> stretches;
+    for (Index i = 0; i < pool.size(); ++i) {
+      const Vec3 at = pool.points.row(i);
+      QVERIFY(parts.isInside(at));
+      if (std::hypot(at.y(), at.z()) < 0.01) {
+        stretches.insert(static_cast<int>(4.0 * at.x()));
+      }
+    }
+    // In every quarter between the caps.
+    for (int stretch = 2; stretch < 14; ++stretch) {
+      QVERIFY(stretches.contains(stretch));
+    }
+  }
+
+  void sliversStayOutWhereThereIsVolume() {
+    Mesh mesh = test::sphere(60, 120);
+    // Roughness makes slivers beside the surface.
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      mesh.positions.row(v) *= 1.0 + 0.004 * std::sin(12.9898 * v);
+    }
+    const SurfaceParts parts = partsOf(mesh);
+    const SurfaceSamples sites = everyVertex(parts);
+    const VoronoiVertices vertices = voronoiVertices(sites.positions);
+    const std::vector<bool> flags = insideFlags(parts, sites, vertices, {});
+    const PointPool pool = voronoiPointsInside(parts, sites, {});
+    QVERIFY(pool.size() < std::count(flags.begin(), flags.end(), true));
+    for (Index i = 0; i < pool.size(); ++i) {
+      QVERIFY(parts.mesh().nearestVertex().nearest(pool.points.row(i)).distance >=
+              0.01 * parts.mesh().diagonal());
+    }
+  }
+
+  void thinPlateKeepsItsMiddle() {
+    Mesh plate = test::triangulated(test::cube());
+    plate.positions.col(2) *= 0.004;
+    const SurfaceParts parts = partsOf(plate);
+    const SurfaceSamples sites = withFaceSamples(parts, everyVertex(parts), 8000, 0);
+    QVERIFY(voronoiPointsInside(parts, sites, {}).size() > 100);
+  }
+
+  void sitesInAPlaneOrTooFewGiveNone() {
+    const SurfaceParts flat = partsOf(test::sheet(5));
+    QCOMPARE(voronoiPointsInside(flat, everyVertex(flat), {}).size(), 0);
+    QCOMPARE(voronoiPointsInside(flat, SurfaceSamples(), {}).size(), 0);
+  }
+
+  void sphereIsFilledWithSpreadPoints() {
+    const SurfaceParts parts = partsOf(test::sphere());
+    const PointPool axis = voronoiPointsInside(parts, everyVertex(parts), {});
+    const PointPool pool = withInteriorSamples(axis, 100, parts, 0, {});
+    QVERIFY(pool.size() >= axis.size() + 90);
+    Points added = pool.points.bottomRows(pool.size() - axis.size());
+    const NearestPoints nearest(added);
+    for (Index i = 0; i < added.rows(); ++i) {
+      QVERIFY(parts.isInside(added.row(i)));
+      QVERIFY(nearest.nearest(added.row(i).transpose(), 2).back().distance > 0.15);
+    }
+  }
+
+  void richAxisNeedsNoSamples() {
+    const SurfaceParts parts = partsOf(test::fork());
+    const PointPool axis = voronoiPointsInside(parts, everyVertex(parts), {});
+    QCOMPARE(withInteriorSamples(axis, 5, parts, 0, {}).size(), axis.size());
+    QCOMPARE(withInteriorSamples(axis, 0, parts, 0, {}).size(), axis.size());
+  }
+
+  void cancelStopsIt() {
+    const Progress progress([](std::string_view, double) {});
+    progress.cancel();
+    const SurfaceParts parts = partsOf(test::sphere());
+    QVERIFY_EXCEPTION_THROWN(voronoiPointsInside(parts, everyVertex(parts), progress), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(withInteriorSamples({}, 100, parts, 0, progress), Cancelled);
+  }
+};
+
+const test::Registration<InteriorPointsTest> registration;
+
+}  // namespace pbffd
+
+#include "interior_points_test.moc"

@@ -26,7 +26,8 @@ const std::vector<Layer>& layers() {
   static const Folders space{"core/base", "core/mesh", "core/ffd"};
   static const Folders weighted = joined(space, {"core/ffd/weights"});
   static const Folders placed = joined(weighted, {"core/ffd/deform", "core/ffd/placement"});
-  static const Folders core = joined(placed, {"core/ffd/levels", "core/mesh/io", "core/project"});
+  static const Folders core =
+      joined(placed, {"core/ffd/levels", "core/ffd/refinement", "core/mesh/io", "core/project"});
   static const Folders uiCore = joined(core, {"ui/document"});
   static const Folders uiShown = joined(uiCore, {"ui/models", "ui/views"});
   static const Folders uiAll = joined(uiShown, {"ui/controllers"});
@@ -38,6 +39,7 @@ const std::vector<Layer>& layers() {
       {"core/ffd/deform", weighted},
       {"core/ffd/placement", weighted},
       {"core/ffd/levels", placed},
+      {"core/ffd/refinement", placed},
       {"core/ffd", {"core/base", "core/mesh"}},
       {"core/project", core},
       {"ui/document", core},

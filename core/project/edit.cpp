@@ -68,6 +68,7 @@ std::string_view nameOf(const Edit& edit) {
     std::string_view operator()(const Lock&) const { return "lock"; }
     std::string_view operator()(const Strength&) const { return "strength"; }
     std::string_view operator()(const SetReach&) const { return "reach"; }
+    std::string_view operator()(const Refine&) const { return "refine"; }
     std::string_view operator()(const Rename&) const { return "rename"; }
     std::string_view operator()(const SetLevels&) const { return "levels"; }
     std::string_view operator()(const SetMaster&) const { return "master"; }

@@ -111,6 +111,12 @@ struct Rename {
   std::string name;
 };
 
+/// Gives the regions of points more and smaller ones.
+struct Refine {
+  PointSelection where;
+  int factor = 2;  ///< so many points where one was; 2 to 64
+};
+
 /// Rebuilds the coarser levels from the finest.
 struct SetLevels {
   int count = 3;
@@ -136,7 +142,7 @@ struct Group {
 };
 
 struct Edit : std::variant<Place, Move, Transform, SetPose, SetRegion, Add, Remove, Enable, Lock, Strength,
-                           SetReach, Rename, SetLevels, SetMaster, SetKernel, Reset, Group> {
+                           SetReach, Refine, Rename, SetLevels, SetMaster, SetKernel, Reset, Group> {
   using variant::variant;
   const variant& value() const { return *this; }
 };

@@ -178,6 +178,15 @@ Edit setReachFrom(const JsonReader& reader) {
   return SetReach{selectionFrom(reader), reachFrom(reader.at("value"))};
 }
 
+Edit refineFrom(const JsonReader& reader) {
+  reader.requireKeys({"level", "points", "factor"});
+  Refine edit{selectionFrom(reader)};
+  if (reader.has("factor")) {
+    edit.factor = static_cast<int>(reader.at("factor").integer(0, std::numeric_limits<int>::max()));
+  }
+  return edit;
+}
+
 Edit renameFrom(const JsonReader& reader) {
   for (const char* other : {"curve", "pin", "pose"}) {
     if (reader.has(other)) {
@@ -244,6 +253,7 @@ const std::map<std::string_view, FromJson>& readers() {
                                                            {"lock", lockFrom},
                                                            {"strength", strengthFrom},
                                                            {"reach", setReachFrom},
+                                                           {"refine", refineFrom},
                                                            {"rename", renameFrom},
                                                            {"levels", levelsFrom},
                                                            {"master", masterFrom},
@@ -255,10 +265,9 @@ const std::map<std::string_view, FromJson>& readers() {
 
 /// Edits of the contract that this version does not have.
 bool isOfLaterVersion(std::string_view name) {
-  static constexpr std::string_view later[] = {"refine",       "pull",        "pin",          "unpin",
-                                               "add_curve",    "move_knots",  "twist_knots",  "add_knot",
-                                               "remove_knots", "set_knots",   "remove_curve", "save_pose",
-                                               "apply_pose",   "remove_pose", "bake"};
+  static constexpr std::string_view later[] = {
+      "pull",         "pin",       "unpin",        "add_curve", "move_knots", "twist_knots", "add_knot",
+      "remove_knots", "set_knots", "remove_curve", "save_pose", "apply_pose", "remove_pose", "bake"};
   return std::find(std::begin(later), std::end(later), name) != std::end(later);
 }
 

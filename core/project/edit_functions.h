@@ -18,6 +18,7 @@ Project applied(const EditScope& scope, const Enable& edit);
 Project applied(const EditScope& scope, const Lock& edit);
 Project applied(const EditScope& scope, const Strength& edit);
 Project applied(const EditScope& scope, const SetReach& edit);
+Project applied(const EditScope& scope, const Refine& edit);
 Project applied(const EditScope& scope, const Rename& edit);
 Project applied(const EditScope& scope, const SetLevels& edit);
 Project applied(const EditScope& scope, const SetMaster& edit);

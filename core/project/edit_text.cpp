@@ -105,6 +105,10 @@ class Describer {
                   edit.value == Reach::all ? "all of the region" : "connected parts");
   }
 
+  std::string operator()(const Refine& edit) const {
+    return format("Refine {} {} times", points(edit.where), edit.factor);
+  }
+
   std::string operator()(const Rename& edit) const {
     const std::string who = name(edit.level, edit.point);
     return edit.name.empty() ? format("Remove the name of {}", who) : format("Rename {} to {}", who, edit.name);

@@ -154,6 +154,12 @@ struct Body {
     return json;
   }
 
+  Json operator()(const Refine& edit) const {
+    Json json = onSelection(edit.where);
+    json["factor"] = edit.factor;
+    return json;
+  }
+
   Json operator()(const Rename& edit) const {
     Json json = onPoint(edit.level, edit.point);
     json["name"] = edit.name;

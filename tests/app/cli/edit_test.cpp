@@ -32,6 +32,23 @@ class EditTest : public QObject {
     QVERIFY(folder.read("b.obj") != folder.read("sphere.obj"));
   }
 
+  void refinedPointsAreAdded() {
+    const test::CommandFolder folder;
+    const QString project = folder.placedSphere("a.pbffd");
+    const auto refined = [&](const QByteArray& edits) {
+      return test::runPbffd({"edit", project, "--edits", "-", "-o", folder.path("b.pbffd")}, edits);
+    };
+    const auto result = refined(R"([{"refine": {"points": [1, 2, 3], "factor": 3}}])");
+    QVERIFY2(result.status == 0, result.errors);
+    const QJsonArray levels =
+        test::runPbffd({"info", folder.path("b.pbffd"), "--json"}).json()["levels"].toArray();
+    QCOMPARE(levels.last().toObject()["points"].toInt(), 36);
+    const auto refused = refined(R"([{"reset": {}}, {"refine": {"points": [1], "factor": 1000}}])");
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(refused.errors.contains("edit 2 (refine, at /1): the factor is 1000; it must be 2 to 64"),
+             refused.errors);
+  }
+
   void editsFromStandardInputAreTheSame() {
     const test::CommandFolder folder;
     const QString project = folder.placedSphere("a.pbffd");

@@ -36,6 +36,7 @@ class EditJsonTest : public QObject {
     row("lock", R"({"lock":{"level":3,"locked":true,"points":[1]}})");
     row("strength", R"({"strength":{"points":[1],"value":2.5}})");
     row("reach", R"({"reach":{"points":[1],"value":"all"}})");
+    row("refine", R"({"refine":{"factor":3,"level":2,"points":[4,5]}})");
     row("rename", R"({"rename":{"name":"Nase ä","point":1}})");
     row("levels", R"({"levels":{"count":4}})");
     row("master", R"({"master":{"mode":"paper","value":0.2}})");
@@ -91,6 +92,7 @@ class EditJsonTest : public QObject {
     row(R"([{"move":{"points":[1],"by":[1,2,3],"follow":"rigid"}}])", "\"rigid\" is not in this version yet");
     row(R"([{"move":{"points":[1],"by":[1,2,3],"follow":"me"}}])", "\"me\" is none of \"frames\", \"none\"");
     row(R"([{"jump":{}}])", "there is no edit 'jump'");
+    row(R"([{"refine":{"points":[1],"factor":1.5}}])", "/0/refine/factor: a whole number");
     row(R"([{"pull":{"targets":[]}}])", "'pull' is not in this version yet");
     row(R"([{"rename":{"curve":1,"name":"x"}}])", "renaming a curve is not in this version yet");
     row(R"([{"reset":{},"bake":{}}])", "this has 2");

@@ -44,6 +44,8 @@ class EditTextTest : public QObject {
     says(Lock{{3, {4}}, true}, "Lock Neck");
     says(Strength{{3, {4}}, 2.5}, "Set strength of Neck to 2.5");
     says(SetReach{{3, {4}}, Reach::all}, "Let Neck reach all of the region");
+    says(Refine{{3, {4}}, 2}, "Refine Neck 2 times");
+    says(Refine{{3, {4, 5}}, 3}, "Refine 2 points 3 times");
     says(Rename{3, 5, "Nose"}, "Rename point 5 to Nose");
     says(SetLevels{4}, "Build 4 levels");
     says(SetMaster{0.2, MasterMode::constant}, "Set master to 0.2");

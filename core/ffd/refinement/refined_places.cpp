@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/ffd/basis.h"
+#include "core/ffd/weights/point_blocks.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -45,8 +46,8 @@ void appendAll(PointPool& pool, const PointPool& more) {
 
 struct Candidate {
   Vec3 position;
-  Index refines;       ///< -1: of no use
-  double distance;     ///< of the nearest point so far
+  Index refines;       ///< -1: nothing
+  double distance;     ///< of the nearest point so far; 0 where it cannot be taken
   double least = 1.0;  ///< the distance that it needs
 
   double room() const { return distance / least; }
@@ -58,13 +59,14 @@ class Candidates {
   Candidates(const RefinementTask& task, const SurfaceParts& parts, const RestMesh& mesh)
       : task_(task),
         parts_(parts),
-        mesh_(mesh),
+        vertices_(mesh.positions(), mesh.mortonOrder()),
         isRefined_(static_cast<std::size_t>(task.level.size()), false) {
     for (const Index place : task.places) {
       isRefined_[static_cast<std::size_t>(place)] = true;
     }
   }
 
+  /// The places of a pool that lie in a refined region and are nearest to its point.
   void collect(const PointPool& pool, Side side, std::vector<Candidate>& found,
                const Progress& progress) const {
     std::vector<Candidate> all(static_cast<std::size_t>(pool.size()));
@@ -76,6 +78,17 @@ class Candidates {
     progress.throwIfCancelled();
     std::copy_if(all.begin(), all.end(), std::back_inserter(found),
                  [](const Candidate& one) { return one.refines >= 0; });
+  }
+
+  /// Whether a region there would reach a vertex, and no wall stands before the point that it refines. Takes
+  /// longer, so only those are asked that would be taken.
+  bool isUsable(const Candidate& one) const {
+    const Frame& rest = task_.level[one.refines].rest;
+    const Region touched({one.position, touchedAt * greatestShare(task_.factor) * rest.axes});
+    const std::vector<Index> blocks = vertices_.blocksNear(touched);
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [&](Index block) { return vertices_.inside(block, touched) != 0; }) &&
+           !parts_.isBetween(rest.center, one.position);
   }
 
  private:
@@ -90,27 +103,17 @@ class Candidates {
         nearest = i;
       }
     }
-    if (nearest >= 0 && isRefined_[static_cast<std::size_t>(nearest)] && isUsable(position, nearest)) {
+    if (nearest >= 0 && isRefined_[static_cast<std::size_t>(nearest)] &&
+        Region(task_.level[nearest].rest).squaredDistance(position) < 1.0) {
       result.refines = nearest;
       result.least = leastSpacing * sizeOf(task_.level[nearest].rest) / std::sqrt(task_.factor);
     }
     return result;
   }
 
-  bool isUsable(const Vec3& position, Index refines) const {
-    const Frame& rest = task_.level[refines].rest;
-    if (Region(rest).squaredDistance(position) >= 1.0) {
-      return false;
-    }
-    const Region largest({position, greatestShare(task_.factor) * rest.axes});
-    const Index vertex = mesh_.nearestVertex().nearest(position).index;
-    return vertex >= 0 && largest.squaredDistance(mesh_.positions().row(vertex)) <= touchedAt * touchedAt &&
-           !parts_.isBetween(rest.center, position);
-  }
-
   const RefinementTask& task_;
   const SurfaceParts& parts_;
-  const RestMesh& mesh_;
+  PointBlocks vertices_;
   std::vector<bool> isRefined_;
 };
 
@@ -118,33 +121,48 @@ class Candidates {
 /// the region which it refines calls for.
 class Choice {
  public:
-  explicit Choice(std::vector<Candidate> candidates) : candidates_(std::move(candidates)) {}
+  Choice(const Candidates& finder, std::vector<Candidate> candidates, const Progress& progress)
+      : finder_(finder), candidates_(std::move(candidates)), progress_(progress) {}
 
   /// One for the point at this place of the level, or for any; false where all stand too near to others. The
   /// first on a tie.
   bool take(std::optional<Index> refines) {
-    const Candidate* best = nullptr;
-    for (const Candidate& one : candidates_) {
-      if ((!refines || one.refines == *refines) && one.room() >= 1.0 &&
-          (best == nullptr || one.room() > best->room())) {
-        best = &one;
+    for (Candidate* best = farthest(refines); best != nullptr; best = farthest(refines)) {
+      progress_.throwIfCancelled();
+      if (finder_.isUsable(*best)) {
+        takeThis(*best);
+        return true;
       }
+      best->distance = 0.0;
     }
-    if (best == nullptr) {
-      return false;
-    }
-    const Vec3 center = best->position;
-    chosen_.push_back({center, best->refines});
-    for (Candidate& one : candidates_) {
-      one.distance = std::min(one.distance, (one.position - center).norm());
-    }
-    return true;
+    return false;
   }
 
   const std::vector<RefinedPlace>& chosen() const { return chosen_; }
 
  private:
+  Candidate* farthest(std::optional<Index> refines) {
+    Candidate* best = nullptr;
+    for (Candidate& one : candidates_) {
+      if ((!refines || one.refines == *refines) && one.room() >= 1.0 &&
+          (best == nullptr || one.room() > best->room())) {
+        best = &one;
+      }
+    }
+    return best;
+  }
+
+  void takeThis(const Candidate& taken) {
+    const Vec3 center = taken.position;
+    chosen_.push_back({center, taken.refines});
+    for (Candidate& one : candidates_) {
+      one.distance = std::min(one.distance, (one.position - center).norm());
+    }
+  }
+
+  const Candidates& finder_;
   std::vector<Candidate> candidates_;
+  const Progress& progress_;
   std::vector<RefinedPlace> chosen_;
 };
 
@@ -193,17 +211,15 @@ std::vector<RefinedPlace> refinedPlaces(const RefinementTask& task, const Refine
   const Candidates finder(task, *pools.parts, mesh);
   finder.collect(pools.inside, Side::inside, candidates, progress);
   finder.collect(pools.outside, Side::outside, candidates, progress);
-  Choice choice(std::move(candidates));
+  Choice choice(finder, std::move(candidates), progress);
   const std::size_t wanted = task.places.size() * static_cast<std::size_t>(task.factor - 1);
   for (int round = 1; round < task.factor; ++round) {
     for (const Index place : task.places) {
-      progress.throwIfCancelled();
       choice.take(place);
     }
   }
   // What one has no room for goes to the others.
   while (choice.chosen().size() < wanted && choice.take(std::nullopt)) {
-    progress.throwIfCancelled();
   }
   return choice.chosen();
 }

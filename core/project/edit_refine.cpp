@@ -78,13 +78,35 @@ std::string nameBeside(const std::string& name, std::set<std::string>& inUse) {
   }
 }
 
+/// The points that refine one, under names and identifiers of their own.
+using Families = std::map<Index, std::vector<ControlPoint>>;
+Families familiesOf(const Level& level, Refinement refinement, PointId& nextId) {
+  std::set<std::string> names;
+  for (const ControlPoint& point : level) {
+    names.insert(point.name);
+  }
+  Families families;
+  for (RefinedPoint& made : refinement.points) {
+    made.point.id = nextId++;
+    made.point.name = nameBeside(level[made.refines].name, names);
+    families[made.refines].push_back(std::move(made.point));
+  }
+  return families;
+}
+
 /// What stands for a refined point stands for the points that refine it as well.
-void addToParents(Level& coarser, const std::map<PointId, std::vector<PointId>>& refining) {
+void addToParents(Level& coarser, const Level& level, const Families& families) {
+  std::map<PointId, const std::vector<ControlPoint>*> refining;
+  for (const auto& [place, family] : families) {
+    refining.emplace(level[place].id, &family);
+  }
   for (Index i = 0; i < coarser.size(); ++i) {
     ControlPoint parent = coarser[i];
     for (const PointId member : coarser[i].mergedFrom) {
       if (const auto found = refining.find(member); found != refining.end()) {
-        parent.mergedFrom.insert(parent.mergedFrom.end(), found->second.begin(), found->second.end());
+        for (const ControlPoint& made : *found->second) {
+          parent.mergedFrom.push_back(made.id);
+        }
       }
     }
     if (parent.mergedFrom.size() != coarser[i].mergedFrom.size()) {
@@ -95,20 +117,20 @@ void addToParents(Level& coarser, const std::map<PointId, std::vector<PointId>>&
 }
 
 /// Each finer point that a refined one stood for goes to the nearest of it and those that refine it.
-void shareChildren(std::vector<ControlPoint*> family, const Level& finer) {
-  const std::vector<PointId> children = std::move(family.front()->mergedFrom);
-  family.front()->mergedFrom.clear();
-  for (const PointId child : children) {
+void shareChildren(ControlPoint& refined, std::vector<ControlPoint>& family, const Level& finer) {
+  std::vector<PointId> kept;
+  for (const PointId child : refined.mergedFrom) {
     const auto place = finer.find(child);
-    if (!place) {
-      continue;
+    const Vec3 at = place ? finer[*place].rest.center : refined.rest.center;
+    ControlPoint* nearest = &refined;
+    for (ControlPoint& made : family) {
+      if ((made.rest.center - at).squaredNorm() < (nearest->rest.center - at).squaredNorm()) {
+        nearest = &made;
+      }
     }
-    const Vec3& at = finer[*place].rest.center;
-    const auto nearest = std::min_element(family.begin(), family.end(), [&](const auto* a, const auto* b) {
-      return (a->rest.center - at).squaredNorm() < (b->rest.center - at).squaredNorm();
-    });
-    (*nearest)->mergedFrom.push_back(child);
+    (nearest == &refined ? kept : nearest->mergedFrom).push_back(child);
   }
+  refined.mergedFrom = std::move(kept);
 }
 
 }  // namespace
@@ -118,39 +140,26 @@ Project applied(const EditScope& scope, const Refine& edit) {
     throw InvalidInput(
         format("the factor is {}; it must be {} to {}", edit.factor, leastFactor, greatestFactor));
   }
+  Project after = scope.before;
   ControlSet edited = scope.before.controls;
   const SelectedPlaces selected = selectedPlaces(edited, edit.where);
   Level& level = edited.levels[selected.level];
   const std::vector<Index> places = refinable(scope, level, selected.places);
-  Refinement refinement = refined(scope, level, places, edit.factor);
-
-  Project after = scope.before;
-  std::set<std::string> names;
-  for (const ControlPoint& point : level) {
-    names.insert(point.name);
+  Families families = familiesOf(level, refined(scope, level, places, edit.factor), after.nextId);
+  if (selected.level > 0) {
+    addToParents(edited.levels[selected.level - 1], level, families);
   }
-  std::map<PointId, std::vector<PointId>> refining;
-  std::map<Index, std::vector<ControlPoint*>> families;
-  for (RefinedPoint& made : refinement.points) {
-    const ControlPoint& parent = level[made.refines];
-    made.point.id = after.nextId++;
-    made.point.name = nameBeside(parent.name, names);
-    refining[parent.id].push_back(made.point.id);
-    families[made.refines].push_back(&made.point);
-  }
-  if (selected.level + 1 < static_cast<Index>(edited.levels.size())) {
-    for (auto& [place, family] : families) {
-      ControlPoint parent = level[place];
-      family.insert(family.begin(), &parent);
-      shareChildren(family, edited.levels[selected.level + 1]);
-      level.replace(place, std::move(parent));
+  const bool hasFiner = selected.level + 1 < static_cast<Index>(edited.levels.size());
+  for (auto& [place, family] : families) {
+    if (ControlPoint point = level[place]; hasFiner && !point.mergedFrom.empty()) {
+      shareChildren(point, family, edited.levels[selected.level + 1]);
+      level.replace(place, std::move(point));
     }
   }
-  for (RefinedPoint& made : refinement.points) {
-    level.append(std::move(made.point));
-  }
-  if (selected.level > 0) {
-    addToParents(edited.levels[selected.level - 1], refining);
+  for (const Index place : places) {
+    for (ControlPoint& made : families[place]) {
+      level.append(std::move(made));
+    }
   }
   after.controls = withStructure(scope, std::move(edited)).controls;
   return after;

@@ -6,6 +6,7 @@
 #include "ui/document/job_runner.h"
 #include "ui/document/view_state.h"
 
+#include <QAbstractItemView>
 #include <QActionGroup>
 #include <QMenu>
 #include <QWidget>
@@ -33,6 +34,12 @@ bool isLetterKey(const QKeySequence& key) {
   const bool modified = combination.keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier);
   const bool isFunctionKey = combination.key() >= Qt::Key_F1 && combination.key() <= Qt::Key_F35;
   return !modified && !isFunctionKey;
+}
+
+/// A key that a list needs for itself.
+bool movesInLists(const QKeySequence& key) {
+  static const QList<QKeySequence> keys{Qt::Key_Home, Qt::Key_PageUp, Qt::Key_PageDown};
+  return keys.contains(key);
 }
 
 const Level* editLevelOf(const Document& document) {
@@ -111,8 +118,10 @@ void Actions::fill(QMenu& menu, const QString& name) const {
 }
 
 void Actions::addLetterKeysTo(QWidget& widget) const {
+  const bool isList = qobject_cast<QAbstractItemView*>(&widget) != nullptr;
   for (QAction* action : actions_) {
-    if (action->shortcutContext() == Qt::WidgetWithChildrenShortcut) {
+    const bool isTaken = isList && movesInLists(action->shortcut());
+    if (action->shortcutContext() == Qt::WidgetWithChildrenShortcut && !isTaken) {
       widget.addAction(action);
     }
   }

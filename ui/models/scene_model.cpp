@@ -34,16 +34,8 @@ QString number(Index value) {
 
 }  // namespace
 
-/// What a row stands for. level counts from 0.
-struct SceneModel::Place {
-  Row row = Row::mesh;
-  int level = -1;
-  PointKind kind = PointKind::interior;
-  Index point = -1;  ///< its place in the level
-};
-
 SceneModel::SceneModel(Document& document, ViewState& view, QObject* parent)
-    : QAbstractItemModel(parent), document_(document), view_(view) {
+    : QAbstractItemModel(parent), document_(document), switches_(document, view, rows_) {
   connect(&document, &Document::opened, this, &SceneModel::reset);
   connect(&document, &Document::changed, this, &SceneModel::update);
   connect(&document.selection(), &Selection::levelChanged, this, &SceneModel::refreshAll);
@@ -69,7 +61,7 @@ void SceneModel::setFilter(const QString& text) {
 void SceneModel::update(const ProjectChanges& what) {
   if (what.mesh || what.structure || (isFiltered() && !document_.isPreviewing())) {
     reset();
-  } else if (what.rest || what.attributes || what.poses) {
+  } else if (what.rest || what.attributes) {
     refreshAll();
   }
 }
@@ -216,28 +208,7 @@ QItemSelection SceneModel::rowsOf(int level, const std::vector<PointId>& points)
 }
 
 std::vector<PointId> SceneModel::pointsBelow(const QModelIndex& index) const {
-  const Place place = placeOf(index);
-  std::vector<PointId> points;
-  if (place.row == Row::point) {
-    return {pointAt(place).id};
-  }
-  const auto addLevel = [&](int level, int onlyKind) {
-    for (int kind = 0; kind < SceneRows::kindCount; ++kind) {
-      if (onlyKind < 0 || kind == onlyKind) {
-        for (const Index at : rows_.places(level, static_cast<PointKind>(kind))) {
-          points.push_back(controls().levels[static_cast<std::size_t>(level)][at].id);
-        }
-      }
-    }
-  };
-  if (place.row == Row::controls) {
-    for (int level = 0; level < rows_.levelCount(); ++level) {
-      addLevel(level, -1);
-    }
-  } else if (place.row != Row::mesh) {
-    addLevel(place.level, place.row == Row::group ? static_cast<int>(place.kind) : -1);
-  }
-  return points;
+  return rows_.pointsBelow(placeOf(index), controls());
 }
 
 QString SceneModel::nameOf(const Place& place) const {
@@ -275,61 +246,15 @@ QString SceneModel::countOf(const Place& place) const {
   }
 }
 
-bool SceneModel::isShown(const Place& place) const {
-  switch (place.row) {
-    case Row::mesh:
-      return view_.isMeshShown();
-    case Row::controls:
-      return view_.areControlsShown();
-    case Row::level:
-      return place.level == document_.editLevel() || view_.isLevelShown(place.level + 1);
-    case Row::group: {
-      const auto& places = rows_.places(place.level, place.kind);
-      const Level& level = controls().levels[static_cast<std::size_t>(place.level)];
-      return std::any_of(places.begin(), places.end(),
-                         [&](Index at) { return view_.isPointEyeOpen(level[at].id); });
-    }
-    case Row::point:
-      break;
-  }
-  return view_.isPointEyeOpen(pointAt(place).id);
-}
-
-bool SceneModel::isLocked(const Place& place) const {
-  if (place.row == Row::mesh) {
-    return true;
-  }
-  if (place.row == Row::point) {
-    return pointAt(place).locked;
-  }
-  const auto allLocked = [&](int level, int onlyKind) {
-    for (const ControlPoint& point : controls().levels[static_cast<std::size_t>(level)]) {
-      if (!point.locked && (onlyKind < 0 || static_cast<int>(point.kind) == onlyKind)) {
-        return false;
-      }
-    }
-    return !controls().levels[static_cast<std::size_t>(level)].empty();
-  };
-  if (place.row != Row::controls) {
-    return allLocked(place.level, place.row == Row::group ? static_cast<int>(place.kind) : -1);
-  }
-  for (int level = 0; level < rows_.levelCount(); ++level) {
-    if (!allLocked(level, -1)) {
-      return false;
-    }
-  }
-  return rows_.levelCount() > 0;
-}
-
 QVariant SceneModel::checkOf(const Place& place, int column) const {
   const auto state = [](bool on) { return QVariant(on ? Qt::Checked : Qt::Unchecked); };
   switch (column) {
     case eyeColumn:
-      return state(isShown(place));
+      return state(switches_.isShown(place));
     case lockColumn:
-      return state(isLocked(place));
+      return state(switches_.isLocked(place));
     case tickColumn:
-      return place.row == Row::point ? state(pointAt(place).enabled) : QVariant();
+      return place.row == Row::point ? state(switches_.isEnabled(place)) : QVariant();
     default:
       return {};
   }
@@ -369,35 +294,18 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-void SceneModel::setShown(const Place& place, const QModelIndex& index, bool shown) {
-  switch (place.row) {
-    case Row::mesh:
-      return view_.setMeshShown(shown);
-    case Row::controls:
-      return view_.setControlsShown(shown);
-    case Row::level:
-      return view_.setLevelShown(place.level + 1, shown);
+bool SceneModel::setSwitch(const Place& place, int column, bool on) {
+  switch (column) {
+    case eyeColumn:
+      switches_.setShown(place, on);
+      return true;
+    case lockColumn:
+      return switches_.setLocked(place, on);
+    case tickColumn:
+      return switches_.setEnabled(place, on);
     default:
-      return view_.setPointsShown(pointsBelow(index), shown);
+      return false;
   }
-}
-
-bool SceneModel::lockBelow(const QModelIndex& index, bool locked) {
-  const Place place = placeOf(index);
-  if (place.row == Row::mesh) {
-    return false;
-  }
-  if (place.row != Row::controls) {
-    return document_.perform(Lock{{place.level + 1, pointsBelow(index)}, locked});
-  }
-  Group all;
-  all.text = locked ? tr("Lock all points").toStdString() : tr("Unlock all points").toStdString();
-  for (int level = 1; level <= rows_.levelCount(); ++level) {
-    if (const auto points = pointsBelow(levelIndex(level)); !points.empty()) {
-      all.edits.push_back(Lock{{level, points}, locked});
-    }
-  }
-  return !all.edits.empty() && document_.perform(all);
 }
 
 bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -406,18 +314,7 @@ bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int ro
   }
   const Place place = placeOf(index);
   if (role == Qt::CheckStateRole) {
-    const bool on = value.toInt() == Qt::Checked;
-    switch (index.column()) {
-      case eyeColumn:
-        setShown(place, index, on);
-        return true;
-      case lockColumn:
-        return lockBelow(index, on);
-      case tickColumn:
-        return place.row == Row::point && document_.perform(Enable{{place.level + 1, {pointAt(place).id}}, on});
-      default:
-        return false;
-    }
+    return setSwitch(place, index.column(), value.toInt() == Qt::Checked);
   }
   if (role != Qt::EditRole || place.row != Row::point || index.column() != nameColumn) {
     return false;

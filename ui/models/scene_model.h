@@ -2,6 +2,7 @@
 
 #include "core/project/project.h"
 #include "ui/models/scene_rows.h"
+#include "ui/models/scene_switches.h"
 
 #include <QAbstractItemModel>
 #include <QItemSelection>
@@ -18,7 +19,7 @@ class SceneModel : public QAbstractItemModel {
 
  public:
   enum Column { nameColumn, countColumn, eyeColumn, lockColumn, tickColumn, columnCount_ };
-  enum class Row { mesh, controls, level, group, point };
+  using Row = SceneRow;
   enum Role {
     rowRole = Qt::UserRole,  ///< Row, as int
     levelRole,               ///< 1 is the coarsest; 0 for rows above the levels
@@ -54,7 +55,7 @@ class SceneModel : public QAbstractItemModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  private:
-  struct Place;
+  using Place = ScenePlace;
 
   Place placeOf(const QModelIndex& index) const;
   const ControlPoint& pointAt(const Place& place) const;
@@ -62,18 +63,15 @@ class SceneModel : public QAbstractItemModel {
   QString nameOf(const Place& place) const;
   QString countOf(const Place& place) const;
   QVariant checkOf(const Place& place, int column) const;
-  bool isShown(const Place& place) const;
-  bool isLocked(const Place& place) const;
-  void setShown(const Place& place, const QModelIndex& index, bool shown);
-  bool lockBelow(const QModelIndex& index, bool locked);
+  bool setSwitch(const Place& place, int column, bool on);
   void reset();
   void update(const ProjectChanges& what);
   void refreshAll();
 
   Document& document_;
-  ViewState& view_;
   PointFilter filter_;
   SceneRows rows_;
+  SceneSwitches switches_;
 };
 
 }  // namespace pbffd::ui

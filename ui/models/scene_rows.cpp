@@ -37,4 +37,36 @@ SceneRows::Spot SceneRows::find(int level, PointId point) const {
   return found == at(level).spots.end() ? Spot{} : found->second;
 }
 
+std::vector<PointId> SceneRows::pointsBelow(const ScenePlace& place, const ControlSet& set) const {
+  std::vector<PointId> points;
+  const auto addKind = [&](int level, PointKind kind) {
+    for (const Index at : places(level, kind)) {
+      points.push_back(set.levels[static_cast<std::size_t>(level)][at].id);
+    }
+  };
+  const auto addLevel = [&](int level) {
+    for (const PointKind kind : at(level).kinds) {
+      addKind(level, kind);
+    }
+  };
+  switch (place.row) {
+    case SceneRow::mesh:
+      break;
+    case SceneRow::controls:
+      for (int level = 0; level < levelCount(); ++level) {
+        addLevel(level);
+      }
+      break;
+    case SceneRow::level:
+      addLevel(place.level);
+      break;
+    case SceneRow::group:
+      addKind(place.level, place.kind);
+      break;
+    case SceneRow::point:
+      points.push_back(set.levels[static_cast<std::size_t>(place.level)][place.point].id);
+  }
+  return points;
+}
+
 }  // namespace pbffd::ui

@@ -9,6 +9,16 @@
 
 namespace pbffd::ui {
 
+enum class SceneRow { mesh, controls, level, group, point };
+
+/// What a row of the scene tree stands for.
+struct ScenePlace {
+  SceneRow row = SceneRow::mesh;
+  int level = -1;  ///< from 0
+  PointKind kind = PointKind::interior;
+  Index point = -1;  ///< its place in the level
+};
+
 /// Which rows the scene tree has: for each level the kinds that occur, and for each kind the places of its
 /// points, as far as the filter lets them through.
 class SceneRows {
@@ -33,6 +43,9 @@ class SceneRows {
     int row = -1;
   };
   Spot find(int level, PointId point) const;
+
+  /// The points below a row (a point's own, all of a group, a level or the set).
+  std::vector<PointId> pointsBelow(const ScenePlace& place, const ControlSet& set) const;
 
  private:
   struct LevelRows {

@@ -14,7 +14,8 @@
 #include <QClipboard>
 #include <QMainWindow>
 #include <QMenu>
-#include <QSlider>
+#include <algorithm>
+#include <utility>
 
 namespace pbffd::ui {
 namespace {
@@ -26,6 +27,8 @@ constexpr int placementHeight = 262;
 /// Of the menu, options and status bars.
 constexpr int chromeHeight = 100;
 constexpr int narrowBelow = 1280;
+/// Raised when docks change, so that an old layout is not laid over new ones.
+constexpr int layoutVersion = 1;
 
 enum Place : std::size_t { scenePlace, inspectorPlace, placementPlace, historyPlace, messagesPlace };
 
@@ -115,6 +118,10 @@ void Docks::resetLayout() {
   giveSizes();
 }
 
+QByteArray Docks::layout() const {
+  return wasShown_ && isShown_ ? window_.saveState(layoutVersion) : QByteArray();
+}
+
 /// The sizes of the design; what the window has more goes to the view and the inspector.
 void Docks::giveSizes() {
   window_.resizeDocks({docks_[scenePlace], docks_[inspectorPlace]}, {leftWidth, rightWidth}, Qt::Horizontal);
@@ -150,10 +157,11 @@ void Docks::setShown(bool shown) {
   isShown_ = shown;
   hideAll(!shown);
   sources_.actions[ActionId::hideDocks]->setChecked(false);
-  if (shown && !hasSizes_) {
-    hasSizes_ = true;
-    // Sizes hold once the docks are laid out.
-    QMetaObject::invokeMethod(this, &Docks::giveSizes, Qt::QueuedConnection);
+  if (shown && !std::exchange(wasShown_, true)) {
+    if (!window_.restoreState(firstLayout_, layoutVersion)) {
+      // Sizes hold once the docks are laid out.
+      QMetaObject::invokeMethod(this, &Docks::giveSizes, Qt::QueuedConnection);
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QObject>
 
 #include <vector>
@@ -38,6 +39,10 @@ class Docks : public QObject {
   PlacementPanel& placement() const { return *placement_; }
 
   void resetLayout();
+  /// The places and sizes of the docks, for the user's settings; empty while they were never shown.
+  QByteArray layout() const;
+  /// Is given to the docks when they are shown first; what does not fit is ignored.
+  void setFirstLayout(const QByteArray& layout) { firstLayout_ = layout; }
   /// While nothing is open there are no docks; those that were shown come back.
   void setShown(bool shown);
   bool areShown() const { return isShown_; }
@@ -63,7 +68,8 @@ class Docks : public QObject {
   std::vector<Dock*> hidden_;
   bool isShown_ = true;
   bool isNarrow_ = false;
-  bool hasSizes_ = false;
+  bool wasShown_ = false;
+  QByteArray firstLayout_;
   int unread_ = 0;
 };
 

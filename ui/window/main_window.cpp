@@ -37,8 +37,6 @@ namespace {
 
 constexpr int errorBarTop = 60;
 constexpr int errorBarMostWidth = 720;
-/// Raised when docks change, so that an old layout is not laid over new ones.
-constexpr int layoutVersion = 1;
 
 QStringList pathsOf(const QMimeData* data) {
   QStringList paths;
@@ -293,14 +291,15 @@ void MainWindow::restoreLayout() {
   }
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
+  docks_->setFirstLayout(settings.value("layout").toByteArray());
 }
 
 void MainWindow::storeLayout() {
   if (options_.remembers) {
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
-    if (docks_->areShown()) {
-      settings.setValue("layout", saveState(layoutVersion));
+    if (const QByteArray layout = docks_->layout(); !layout.isEmpty()) {
+      settings.setValue("layout", layout);
     }
   }
 }

@@ -138,7 +138,7 @@ void NumberField::mousePressEvent(QMouseEvent* event) {
   if (hasFocus() || event->button() != Qt::LeftButton) {
     return QLineEdit::mousePressEvent(event);
   }
-  scrub_ = Scrub{event->globalPosition().x(), false};
+  scrub_ = Scrub{event->globalPosition().x(), value_, false};
 }
 
 void NumberField::mouseMoveEvent(QMouseEvent* event) {
@@ -154,7 +154,8 @@ void NumberField::mouseMoveEvent(QMouseEvent* event) {
   // Escape has to reach this field to take the scrub back.
   grabKeyboard();
   const double share = event->modifiers() & Qt::ShiftModifier ? fineShare : 1.0;
-  Q_EMIT scrubbed(std::clamp(value_ + pixels * step_ * share, low_, high_) - value_);
+  const double start = scrub_->startValue;
+  Q_EMIT scrubbed(std::clamp(start + pixels * step_ * share, low_, high_) - start);
 }
 
 void NumberField::mouseReleaseEvent(QMouseEvent* event) {

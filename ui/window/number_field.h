@@ -66,6 +66,7 @@ class NumberField : public QLineEdit {
   enum class State { blank, single, mixed };
   struct Scrub {
     double pressedAt = 0.0;
+    double startValue = 0.0;
     bool isMoving = false;
   };
 

@@ -1,21 +1,22 @@
 #pragma once
 
-#include "core/ffd/placement.h"
+#include "core/ffd/placement/placement.h"
 
 #include <QScrollArea>
-#include <QTimer>
+
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QSlider;
 
 namespace pbffd::ui {
 
 class Document;
-class NumberField;
+class PlacementMore;
 class Segments;
+class SliderRow;
 class Theme;
 
 /// The placement dock's content. While nothing is edited every change places anew at once; afterwards the
@@ -29,46 +30,33 @@ class PlacementPanel : public QScrollArea {
   /// What the panel asks for now.
   PlacementOptions options() const;
   void placeAgain();
-  QSlider* pointsSlider() const { return points_; }
+  QSlider* pointsSlider() const;
 
  private:
-  QLayout* makePointsRow();
-  QLayout* makeRadiusRow();
-  QWidget* makeMore();
+  void makeRows(const Theme& theme);
   QLayout* makeFooter();
-  void connectMore();
+  void connectRows();
 
   void load();
-  void show(const PlacementOptions& options);
+  void showOptions(const PlacementOptions& options);
   void follow();
   void showFooter();
-  void change(int mergeKey);
-  int scrubKey(const QSlider& slider);
-  void place(const PlacementOptions& options, bool keepEdits, int mergeKey);
+  void change(bool startsRun);
+  void place(bool keepEdits, int mergeKey);
+  void placeWaiting();
 
   Document& document_;
-  const Theme& theme_;
   PlacementOptions base_;                         ///< those that the panel has no field for
   std::optional<PlacementOptions> shownOptions_;  ///< the project's, when they were shown last
-  QSlider* points_;
-  NumberField* pointsField_;
+  std::optional<int> waiting_;                    ///< the merge key of a change that came while one was placed
+  int mergeKey_ = 0;
+  SliderRow* points_;
   Segments* levels_;
-  QSlider* radius_;
-  NumberField* radiusField_;
+  SliderRow* radius_;
   QComboBox* surface_;
-  QComboBox* kernel_;
-  NumberField* offset_;
-  NumberField* exterior_;
-  QComboBox* sites_;
-  NumberField* master_;
-  NumberField* seed_;
-  QPushButton* paper_;
-  QPushButton* again_;
+  PlacementMore* more_;
   QCheckBox* keepEdits_;
   QLabel* footer_;
-  QTimer keyTimer_;
-  int scrubKey_ = 0;
-  bool isLoading_ = false;
 };
 
 }  // namespace pbffd::ui

@@ -24,7 +24,12 @@ inline QString writeShape(const QTemporaryDir& folder, const Mesh& mesh, const Q
 /// Waits until no job runs or waits any more.
 inline bool finishJobs(ui::Document& document) {
   QSignalSpy finished(&document.jobs(), &ui::JobRunner::finished);
-  return !document.jobs().isRunning() || finished.wait(patience);
+  while (document.jobs().isRunning()) {
+    if (!finished.wait(patience)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Few points, so that tests are quick.

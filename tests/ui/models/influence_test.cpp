@@ -1,6 +1,6 @@
 #include "ui/models/influence.h"
 
-#include "core/ffd/hierarchy.h"
+#include "core/ffd/levels/hierarchy.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 

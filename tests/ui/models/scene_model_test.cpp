@@ -179,7 +179,9 @@ void SceneModelTest::aChangeOfTheViewIsQuickWithManyPoints() {
     Frame rest;
     rest.center = Vec3(0.002 * i, 0, 0);
     rest.axes *= 0.02;
-    many.edits.push_back(Add{std::nullopt, rest, false, std::nullopt, ""});
+    Add one;
+    one.rest = rest;
+    many.edits.push_back(one);
   }
   QVERIFY(document_->perform(many));
   QCOMPARE(model_->pointsBelow(model_->levelIndex(2)).size(), std::size_t{2040});

@@ -1,6 +1,6 @@
 #include "ui/views/grid_actor.h"
-#include "ui/views/round_numbers.h"
 #include "tests/support/test_main.h"
+#include "ui/views/round_numbers.h"
 
 #include <QtTest>
 

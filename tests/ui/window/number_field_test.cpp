@@ -1,8 +1,10 @@
 #include "ui/window/number_field.h"
 
+#include "tests/support/shown_window.h"
 #include "tests/support/test_main.h"
 #include "ui/document/theme.h"
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -35,32 +37,41 @@ class NumberFieldTest : public QObject {
   void type(const QString& text);
 
   std::unique_ptr<ui::Theme> theme_;
-  std::unique_ptr<NumberField> field_;
+  std::unique_ptr<QWidget> window_;
+  QPushButton* other_ = nullptr;
+  NumberField* field_ = nullptr;
   std::vector<NumberInput> entered_;
 };
 
 void NumberFieldTest::init() {
   theme_ = std::make_unique<ui::Theme>();
-  field_ = std::make_unique<NumberField>(*theme_, NumberField::Look{"axis.x", {}, {}});
-  field_->resize(80, 26);
+  // Another control has the focus at first.
+  window_ = std::make_unique<QWidget>();
+  other_ = new QPushButton(window_.get());
+  other_->setGeometry(100, 0, 80, 26);
+  field_ = new NumberField(*theme_, NumberField::Look{"axis.x", {}, {}}, window_.get());
+  field_->setGeometry(0, 0, 80, 26);
   field_->setValue(2.0);
   field_->setStep(0.5);
   entered_.clear();
-  connect(field_.get(), &NumberField::entered, this,
-          [this](const NumberInput& input) { entered_.push_back(input); });
-  field_->show();
-  QVERIFY(QTest::qWaitForWindowActive(field_.get()));
+  connect(field_, &NumberField::entered, this, [this](const NumberInput& input) { entered_.push_back(input); });
+  QVERIFY(showActive(*window_));
+  other_->setFocus();
 }
 
 void NumberFieldTest::cleanup() {
-  field_.reset();
+  window_.reset();
   theme_.reset();
 }
 
 void NumberFieldTest::type(const QString& text) {
-  QTest::mouseClick(field_.get(), Qt::LeftButton);
-  QTest::keyClicks(field_.get(), text);
-  QTest::keyClick(field_.get(), Qt::Key_Return);
+  if (field_->hasFocus()) {
+    field_->selectAll();
+  } else {
+    QTest::mouseClick(field_, Qt::LeftButton);
+  }
+  QTest::keyClicks(field_, text);
+  QTest::keyClick(field_, Qt::Key_Return);
 }
 
 void NumberFieldTest::typedSumsAreEntered() {
@@ -87,7 +98,7 @@ void NumberFieldTest::differentValuesShowMixed() {
 }
 
 void NumberFieldTest::aBadValueIsFramedAndDropped() {
-  QSignalSpy rejected(field_.get(), &NumberField::rejected);
+  QSignalSpy rejected(field_, &NumberField::rejected);
   type("2*");
   QVERIFY(entered_.empty());
   QVERIFY(field_->property("bad").toBool());
@@ -109,62 +120,62 @@ void NumberFieldTest::aValueOutOfRangeIsRefused() {
 }
 
 void NumberFieldTest::escapeTakesTypingBack() {
-  QTest::mouseClick(field_.get(), Qt::LeftButton);
-  QTest::keyClicks(field_.get(), "77");
-  QTest::keyClick(field_.get(), Qt::Key_Escape);
+  QTest::mouseClick(field_, Qt::LeftButton);
+  QTest::keyClicks(field_, "77");
+  QTest::keyClick(field_, Qt::Key_Escape);
   QCOMPARE(field_->text(), QString("2.000"));
   QVERIFY(entered_.empty());
 }
 
 void NumberFieldTest::arrowKeysStep() {
-  QSignalSpy nudged(field_.get(), &NumberField::nudged);
-  QTest::mouseClick(field_.get(), Qt::LeftButton);
-  QTest::keyClick(field_.get(), Qt::Key_Up);
-  QTest::keyClick(field_.get(), Qt::Key_Down, Qt::ShiftModifier);
+  QSignalSpy nudged(field_, &NumberField::nudged);
+  QTest::mouseClick(field_, Qt::LeftButton);
+  QTest::keyClick(field_, Qt::Key_Up);
+  QTest::keyClick(field_, Qt::Key_Down, Qt::ShiftModifier);
   QCOMPARE(nudged.count(), 2);
   QCOMPARE(nudged[0][0].toDouble(), 0.5);
   QVERIFY(std::abs(nudged[1][0].toDouble() + 0.05) < 1e-12);
 }
 
 void NumberFieldTest::aDragScrubsAndShiftIsFine() {
-  QSignalSpy scrubbed(field_.get(), &NumberField::scrubbed);
-  QSignalSpy ended(field_.get(), &NumberField::scrubEnded);
+  QSignalSpy scrubbed(field_, &NumberField::scrubbed);
+  QSignalSpy ended(field_, &NumberField::scrubEnded);
   const QPoint start(40, 13);
-  QTest::mousePress(field_.get(), Qt::LeftButton, {}, start);
-  QTest::mouseMove(field_.get(), start + QPoint(2, 0));
+  QTest::mousePress(field_, Qt::LeftButton, {}, start);
+  QTest::mouseMove(field_, start + QPoint(2, 0));
   QCOMPARE(scrubbed.count(), 0);
-  QTest::mouseMove(field_.get(), start + QPoint(10, 0));
+  QTest::mouseMove(field_, start + QPoint(10, 0));
   QCOMPARE(scrubbed.last()[0].toDouble(), 5.0);
-  QTest::mouseRelease(field_.get(), Qt::LeftButton, {}, start + QPoint(10, 0));
+  QTest::mouseRelease(field_, Qt::LeftButton, {}, start + QPoint(10, 0));
   QCOMPARE(ended.count(), 1);
   QVERIFY(ended[0][0].toBool());
   QVERIFY(!field_->hasFocus());
 }
 
 void NumberFieldTest::escapeInAScrubDropsIt() {
-  QSignalSpy ended(field_.get(), &NumberField::scrubEnded);
+  QSignalSpy ended(field_, &NumberField::scrubEnded);
   const QPoint start(40, 13);
-  QTest::mousePress(field_.get(), Qt::LeftButton, {}, start);
-  QTest::mouseMove(field_.get(), start + QPoint(20, 0));
-  QTest::keyClick(field_.get(), Qt::Key_Escape);
-  QTest::mouseRelease(field_.get(), Qt::LeftButton, {}, start + QPoint(20, 0));
+  QTest::mousePress(field_, Qt::LeftButton, {}, start);
+  QTest::mouseMove(field_, start + QPoint(20, 0));
+  QTest::keyClick(field_, Qt::Key_Escape);
+  QTest::mouseRelease(field_, Qt::LeftButton, {}, start + QPoint(20, 0));
   QCOMPARE(ended.count(), 1);
   QVERIFY(!ended[0][0].toBool());
 }
 
 void NumberFieldTest::aClickStartsTyping() {
-  QTest::mouseClick(field_.get(), Qt::LeftButton);
+  QTest::mouseClick(field_, Qt::LeftButton);
   QVERIFY(field_->hasFocus());
   QCOMPARE(field_->selectedText(), field_->text());
 }
 
 void NumberFieldTest::aScrubStopsAtTheEnds() {
   field_->setRange(0.0, 3.0);
-  QSignalSpy scrubbed(field_.get(), &NumberField::scrubbed);
-  QTest::mousePress(field_.get(), Qt::LeftButton, {}, {10, 13});
-  QTest::mouseMove(field_.get(), {70, 13});
+  QSignalSpy scrubbed(field_, &NumberField::scrubbed);
+  QTest::mousePress(field_, Qt::LeftButton, {}, {10, 13});
+  QTest::mouseMove(field_, {70, 13});
   QCOMPARE(scrubbed.last()[0].toDouble(), 1.0);
-  QTest::mouseRelease(field_.get(), Qt::LeftButton, {}, {70, 13});
+  QTest::mouseRelease(field_, Qt::LeftButton, {}, {70, 13});
 }
 
 void NumberFieldTest::numbersHaveARealMinus() {

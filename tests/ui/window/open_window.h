@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/shown_window.h"
 #include "tests/ui/document/opened.h"
 #include "ui/controllers/actions.h"
 #include "ui/views/viewport.h"
@@ -18,8 +19,7 @@ struct OpenWindow {
   OpenWindow() : window(ui::MainWindow::Options{ui::Theme::Choice::dark, false}) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     window.resize(1400, 900);
-    window.show();
-    isReady = QTest::qWaitForWindowActive(&window);
+    isReady = showActive(window);
   }
 
   bool open(const QString& path) {
@@ -34,10 +34,9 @@ struct OpenWindow {
       if (dialog == nullptr) {
         return answerFileDialog(path);
       }
-      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      name->selectAll();
-      QTest::keyClicks(name, path);
-      QTest::keyClick(name, Qt::Key_Return);
+      // Its button waits until the list of the folder has been read, which takes a while.
+      dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+      QMetaObject::invokeMethod(dialog, "accept");
     });
   }
 

@@ -1,5 +1,6 @@
 #include "ui/window/placement_panel.h"
 
+#include "tests/support/shown_window.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/document/opened.h"
 #include "ui/document/theme.h"
@@ -34,8 +35,7 @@ void PlacementPanelTest::init() {
   document_ = std::make_unique<ui::Document>();
   panel_ = std::make_unique<ui::PlacementPanel>(*document_, *theme_);
   panel_->resize(308, 400);
-  panel_->show();
-  QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+  QVERIFY(showActive(*panel_));
   QVERIFY(openShape(*document_, folder_));
 }
 

@@ -3,6 +3,7 @@
 #include "core/mesh/mesh.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace pbffd {
 
@@ -41,5 +42,9 @@ class MortonCode {
   Vec3 low_;
   double scale_;
 };
+
+/// The rows of the points by their codes, the lowest first where they are equal. Points outside the bounds
+/// count as the nearest ones within.
+std::vector<Index> mortonOrderOf(const Points& points, const Bounds& bounds);
 
 }  // namespace pbffd

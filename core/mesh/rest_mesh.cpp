@@ -1,7 +1,7 @@
 #include "core/mesh/rest_mesh.h"
 
-#include <algorithm>
-#include <cstdint>
+#include "core/mesh/morton.h"
+
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -23,32 +23,6 @@ class Lazy {
   std::once_flag once_;
   std::optional<Value> value_;
 };
-
-/// Spreads the low 21 bits so that two zeros follow each.
-std::uint64_t spread(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  x = (x | x << 2) & 0x1249249249249249;
-  return x;
-}
-
-std::vector<Index> mortonOrderOf(const Points& positions, const Bounds& bounds) {
-  const double longest = (bounds.high - bounds.low).maxCoeff();
-  const double scale = longest > 0.0 ? 0x1fffff / longest : 0.0;
-  std::vector<std::pair<std::uint64_t, Index>> codes(static_cast<std::size_t>(positions.rows()));
-  for (std::size_t v = 0; v < codes.size(); ++v) {
-    const Vec3 cell = scale * (positions.row(static_cast<Eigen::Index>(v)).transpose() - bounds.low);
-    const auto at = [&](int axis) { return spread(static_cast<std::uint64_t>(cell[axis])) << axis; };
-    codes[v] = {at(0) | at(1) | at(2), static_cast<Index>(v)};
-  }
-  std::sort(codes.begin(), codes.end());
-  std::vector<Index> order(codes.size());
-  std::transform(codes.begin(), codes.end(), order.begin(), [](const auto& code) { return code.second; });
-  return order;
-}
 
 }  // namespace
 

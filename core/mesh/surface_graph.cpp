@@ -1,6 +1,7 @@
 #include "core/mesh/surface_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -9,59 +10,82 @@ namespace {
 
 /// The lowest vertex at the same position, for each vertex.
 std::vector<Index> weld(const Points& positions) {
-  std::vector<Index> order(static_cast<std::size_t>(positions.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  const auto before = [&](Index a, Index b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (positions(a, axis) != positions(b, axis)) {
-        return positions(a, axis) < positions(b, axis);
+  // Sorted by one number, those that may be the same lie side by side.
+  std::vector<std::pair<double, Index>> order(static_cast<std::size_t>(positions.rows()));
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    const auto at = positions.row(static_cast<Index>(v));
+    const double key = at[0] + 0.7548776662466927 * at[1] + 0.5698402909980532 * at[2];
+    order[v] = {std::isfinite(key) ? key : 0.0, static_cast<Index>(v)};
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> representative(order.size());
+  std::iota(representative.begin(), representative.end(), 0);
+  for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
+    for (end = begin + 1; end < order.size() && order[end].first == order[begin].first; ++end) {
+      const Index vertex = order[end].second;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (positions.row(order[i].second) == positions.row(vertex)) {
+          representative[vertex] = representative[order[i].second];
+          break;
+        }
       }
     }
-    return a < b;
-  };
-  std::sort(order.begin(), order.end(), before);
-  std::vector<Index> representative(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool isSame = i > 0 && positions.row(order[i]) == positions.row(order[i - 1]);
-    representative[order[i]] = isSame ? representative[order[i - 1]] : order[i];
   }
   return representative;
 }
 
-/// Every edge once from each end, sorted, between representatives.
-std::vector<std::pair<Index, Index>> directedEdges(const Polygons& faces,
-                                                   const std::vector<Index>& representative) {
-  std::vector<std::pair<Index, Index>> edges;
-  edges.reserve(2 * faces.vertices().size());
+/// Calls visit(a, b) for every edge of every face, between representatives.
+template <class Visit>
+void forEachEdge(const Polygons& faces, const std::vector<Index>& representative, const Visit& visit) {
   for (Index f = 0; f < faces.size(); ++f) {
     const auto face = faces[f];
     for (std::size_t c = 0; c < face.size(); ++c) {
       const Index a = representative[face[c]];
-      const Index b = representative[face[(c + 1) % face.size()]];
+      const Index b = representative[face[c + 1 < face.size() ? c + 1 : 0]];
       if (a != b) {
-        edges.emplace_back(a, b);
-        edges.emplace_back(b, a);
+        visit(a, b);
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
 }
 
 }  // namespace
 
 SurfaceGraph::SurfaceGraph(const Mesh& mesh) : representative_(weld(mesh.positions)) {
-  const std::size_t count = representative_.size();
-  const auto edges = directedEdges(mesh.faces, representative_);
-  offsets_.assign(count + 1, 0);
-  neighbours_.reserve(edges.size());
-  for (const auto& [from, to] : edges) {
-    ++offsets_[from + 1];
-    neighbours_.push_back(to);
-  }
-  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  joinAlongEdges(mesh.faces);
+  numberComponents();
+}
 
+void SurfaceGraph::joinAlongEdges(const Polygons& faces) {
+  // Counted, filled in, and each list sorted: an edge of two faces comes twice.
+  const std::size_t count = representative_.size();
+  offsets_.assign(count + 1, 0);
+  forEachEdge(faces, representative_, [&](Index a, Index b) {
+    ++offsets_[a + 1];
+    ++offsets_[b + 1];
+  });
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  neighbours_.resize(static_cast<std::size_t>(offsets_[count]));
+  std::vector<Index> next(offsets_.begin(), offsets_.end() - 1);
+  forEachEdge(faces, representative_, [&](Index a, Index b) {
+    neighbours_[next[a]++] = b;
+    neighbours_[next[b]++] = a;
+  });
+  Index kept = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    const auto begin = neighbours_.begin() + offsets_[v];
+    const auto end = neighbours_.begin() + offsets_[v + 1];
+    std::sort(begin, end);
+    offsets_[v] = kept;
+    kept = static_cast<Index>(std::unique_copy(begin, end, neighbours_.begin() + kept) - neighbours_.begin());
+  }
+  offsets_[count] = kept;
+  neighbours_.resize(static_cast<std::size_t>(kept));
+  neighbours_.shrink_to_fit();
+}
+
+void SurfaceGraph::numberComponents() {
+  const std::size_t count = representative_.size();
   component_.assign(count, -1);
   std::vector<Index> stack;
   for (std::size_t v = 0; v < count; ++v) {

@@ -26,6 +26,9 @@ class SurfaceGraph {
   Index componentCount() const { return componentCount_; }
 
  private:
+  void joinAlongEdges(const Polygons& faces);
+  void numberComponents();
+
   std::vector<Index> representative_;
   std::vector<Index> offsets_;
   std::vector<Index> neighbours_;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -67,21 +68,27 @@ struct TriangleTree::Segment {
     }
   }
 
-  /// Separating axes between the segment and four boxes: the box's three and the three cross products.
-  Eigen::Array<bool, arity, 1> mayMeet(const Boxes& boxes) const {
+  /// Separating axes between the segment and four boxes: the box's three and the three cross products. A bit
+  /// for each box that it may meet.
+  unsigned mayMeet(const Boxes& boxes) const {
     Lanes offset[3];
     Lanes extent[3];
     for (int axis = 0; axis < 3; ++axis) {
       extent[axis] = 0.5F * (boxes.high[axis] - boxes.low[axis]);
       offset[axis] = center[axis] - 0.5F * (boxes.high[axis] + boxes.low[axis]);
     }
-    Eigen::Array<bool, arity, 1> meets = Eigen::Array<bool, arity, 1>::Constant(true);
+    // By how much the two are apart along the axis that parts them best.
+    Lanes gap = Lanes::Constant(-1.0F);
     for (int axis = 0; axis < 3; ++axis) {
       const int next = (axis + 1) % 3;
       const int last = (axis + 2) % 3;
-      meets = meets && offset[axis].abs() <= extent[axis] + halfSize[axis];
-      meets = meets && (offset[next] * half[last] - offset[last] * half[next]).abs() <=
-                           extent[next] * halfSize[last] + extent[last] * halfSize[next] + margin;
+      gap = gap.max(offset[axis].abs() - (extent[axis] + halfSize[axis]));
+      gap = gap.max((offset[next] * half[last] - offset[last] * half[next]).abs() -
+                    (extent[next] * halfSize[last] + extent[last] * halfSize[next] + margin));
+    }
+    unsigned meets = 0;
+    for (Index lane = 0; lane < arity; ++lane) {
+      meets |= static_cast<unsigned>(gap[lane] <= 0.0F) << lane;
     }
     return meets;
   }
@@ -160,35 +167,53 @@ bool TriangleTree::isCrossed(const Vec3& from, const Vec3& to) const {
       }
       continue;
     }
-    const auto meets =
+    unsigned meets =
         segment.mayMeet(boxes_[static_cast<std::size_t>(level) - 1][static_cast<std::size_t>(node)]);
-    for (Index lane = 0; lane < arity; ++lane) {
-      if (meets[lane]) {
-        open[size++] = {level - 1, node * arity + lane};
-      }
+    for (; meets != 0; meets &= meets - 1) {
+      open[size++] = {level - 1, node * arity + std::countr_zero(meets)};
     }
   }
   return false;
 }
 
-bool TriangleTree::isCrossedByLeaf(Index leaf, const Segment& segment) const {
-  const Vec3 way = segment.to - segment.from;
-  for (Index t = leaf * leafSize; t < std::min((leaf + 1) * leafSize, triangleCount()); ++t) {
-    const Vec3 a = corner(t, 0) - segment.from;
-    const Vec3 b = corner(t, 1) - segment.from;
-    const Vec3 c = corner(t, 2) - segment.from;
-    const Vec3 normal = (b - a).cross(c - a);
-    const double start = a.dot(normal);
-    const double along = way.dot(normal);
-    // The ends must lie on different sides of the plane ...
-    if (along == 0.0 || start / along < 0.0 || start / along > 1.0) {
-      continue;
+void TriangleTree::cornersOfLeaf(Index leaf, const Vec3& from, LeafCorners& corners) const {
+  const Index first = leaf * leafSize;
+  const Index count = std::min(leafSize, triangleCount() - first);
+  const Index* vertex = &corners_[3 * static_cast<std::size_t>(first)];
+  for (Index t = 0; t < count; ++t) {
+    for (std::size_t k = 0; k < 9; k += 3, ++vertex) {
+      const double* const at = positions_.data() + 3 * static_cast<std::size_t>(*vertex);
+      corners[k][t] = static_cast<float>(scale_ * (at[0] - from[0]));
+      corners[k + 1][t] = static_cast<float>(scale_ * (at[1] - from[1]));
+      corners[k + 2][t] = static_cast<float>(scale_ * (at[2] - from[2]));
     }
-    // ... and the line must pass all edges on the same side.
-    const double ab = way.dot(a.cross(b));
-    const double bc = way.dot(b.cross(c));
-    const double ca = way.dot(c.cross(a));
-    if ((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)) {
+  }
+  for (LeafLanes& lanes : corners) {
+    lanes.tail(leafSize - count).setOnes();
+  }
+}
+
+bool TriangleTree::isCrossedByLeaf(Index leaf, const Segment& segment) const {
+  LeafCorners p;
+  cornersOfLeaf(leaf, segment.from, p);
+  const Eigen::Vector3f way = (scale_ * (segment.to - segment.from)).cast<float>();
+  // Six volumes over the way and an edge each: the line must pass all edges on the same side. Their sum is the
+  // volume over the way and the triangle, so the crossing lies at `start` of `along` on the way.
+  const LeafLanes x = p[4] * p[8] - p[5] * p[7];
+  const LeafLanes y = p[5] * p[6] - p[3] * p[8];
+  const LeafLanes z = p[3] * p[7] - p[4] * p[6];
+  const LeafLanes bc = way[0] * x + way[1] * y + way[2] * z;
+  const LeafLanes ca = way[0] * (p[7] * p[2] - p[8] * p[1]) + way[1] * (p[8] * p[0] - p[6] * p[2]) +
+                       way[2] * (p[6] * p[1] - p[7] * p[0]);
+  const LeafLanes ab = way[0] * (p[1] * p[5] - p[2] * p[4]) + way[1] * (p[2] * p[3] - p[0] * p[5]) +
+                       way[2] * (p[0] * p[4] - p[1] * p[3]);
+  const LeafLanes start = p[0] * x + p[1] * y + p[2] * z;
+  const LeafLanes along = ab + bc + ca;
+  // All of these at least 0, or all at most 0.
+  const LeafLanes least = ab.min(bc).min(ca).min(start).min(along - start);
+  const LeafLanes most = ab.max(bc).max(ca).max(start).max(along - start);
+  for (Index k = 0; k < leafSize; ++k) {
+    if (along[k] != 0.0F && (least[k] >= 0.0F || most[k] <= 0.0F)) {
       return true;
     }
   }

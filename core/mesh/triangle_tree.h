@@ -3,6 +3,7 @@
 #include "core/mesh/mesh.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace pbffd {
@@ -28,6 +29,12 @@ class TriangleTree {
   Index triangleCount() const { return static_cast<Index>(corners_.size()) / 3; }
   /// Corner k of the triangle at a place of the tree's order; leaf n has places [8 n, 8 n + 8).
   Vec3 corner(Index place, int k) const { return positions_.row(corners_[3 * place + k]); }
+
+  /// The corners of a leaf's triangles seen from a point, in the scale of the unit cube: x, y, z of the first
+  /// ones, of the second ones and of the third ones. Places without a triangle hold one without area.
+  using LeafLanes = Eigen::Array<float, leafSize, 1>;
+  using LeafCorners = std::array<LeafLanes, 9>;
+  void cornersOfLeaf(Index leaf, const Vec3& from, LeafCorners& corners) const;
 
   /// The centre and the scale that take the mesh into a cube of edge length 1 about the origin.
   const Vec3& origin() const { return origin_; }

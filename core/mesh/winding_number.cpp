@@ -4,8 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -46,6 +49,79 @@ void addHalfSolidAngle(const Vec3& a, const Vec3& b, const Vec3& c, AngleSum& su
   const double lc = c.norm();
   sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
+
+/// The same of the triangles of a leaf at a time, a sum a lane, in single precision: what matters is how far
+/// corners lie from the point, and that is rounded after the difference was taken.
+class LeafAngleSums {
+ public:
+  void add(const TriangleTree::LeafCorners& p) {
+    const Lanes la = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    const Lanes lb = (p[3] * p[3] + p[4] * p[4] + p[5] * p[5]).sqrt();
+    const Lanes lc = (p[6] * p[6] + p[7] * p[7] + p[8] * p[8]).sqrt();
+    const Lanes ab = p[0] * p[3] + p[1] * p[4] + p[2] * p[5];
+    const Lanes bc = p[3] * p[6] + p[4] * p[7] + p[5] * p[8];
+    const Lanes ca = p[6] * p[0] + p[7] * p[1] + p[8] * p[2];
+    addArguments(la * lb * lc + ab * lc + bc * la + ca * lb, p[0] * (p[4] * p[8] - p[5] * p[7]) +
+                                                                 p[1] * (p[5] * p[6] - p[3] * p[8]) +
+                                                                 p[2] * (p[3] * p[7] - p[4] * p[6]));
+  }
+
+  double total() const {
+    AngleSum sum;
+    int turns = 0;
+    for (Index k = 0; k < TriangleTree::leafSize; ++k) {
+      sum.add(x_[k], y_[k]);
+      turns += turns_[static_cast<std::size_t>(k)];
+    }
+    return sum.total() + 2.0 * std::numbers::pi * turns;
+  }
+
+ private:
+  using Lanes = TriangleTree::LeafLanes;
+  using Bits = std::array<std::uint32_t, TriangleTree::leafSize>;
+
+  static Bits bitsOf(const Lanes& lanes) {
+    Bits bits;
+    std::memcpy(bits.data(), lanes.data(), sizeof(bits));
+    return bits;
+  }
+
+  /// As AngleSum::add(), lane by lane.
+  void addArguments(const Lanes& x, const Lanes& y) {
+    const Lanes re = x_ * x - y_ * y;
+    const Lanes im = x_ * y + y_ * x + 0.0F;
+    const Lanes size = re.abs().max(im.abs());
+    if (!(size.minCoeff() > 0.0F)) {
+      addWhereNotZero(x, y);
+      return;
+    }
+    const Bits before = bitsOf(y_);
+    const Bits added = bitsOf(y);
+    const Bits after = bitsOf(im);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      // By the bits of the signs.
+      turns_[k] += static_cast<int>((~before[k] & ~added[k] & after[k]) >> 31);
+      turns_[k] -= static_cast<int>((before[k] & added[k] & ~after[k]) >> 31);
+    }
+    x_ = re / size;
+    y_ = im / size;
+  }
+
+  /// A triangle with a corner in the point adds nothing.
+  void addWhereNotZero(Lanes x, Lanes y) {
+    for (Index k = 0; k < TriangleTree::leafSize; ++k) {
+      if (!(std::max(std::abs(x_[k] * x[k] - y_[k] * y[k]), std::abs(x_[k] * y[k] + y_[k] * x[k])) > 0.0F)) {
+        x[k] = 1.0F;
+        y[k] = 0.0F;
+      }
+    }
+    addArguments(x, y);
+  }
+
+  Lanes x_ = Lanes::Constant(1.0F);
+  Lanes y_ = Lanes::Constant(0.0F);
+  std::array<int, TriangleTree::leafSize> turns_{};
+};
 
 }  // namespace
 
@@ -177,17 +253,17 @@ double WindingNumber::farField(const Moments& m, const Lanes* point, unsigned& n
   const Lanes along = x * (x * m.quadrupole[0] + y * m.quadrupole[3]) +
                       y * (y * m.quadrupole[1] + z * m.quadrupole[4]) +
                       z * (z * m.quadrupole[2] + x * m.quadrupole[5]);
-  const Lanes value =
+  Lanes value =
       cubed * (x * m.dipole[0] + y * m.dipole[1] + z * m.dipole[2] + m.trace - 3.0F * inverse * along);
-  // A plain loop, since Eigen knows no masks; the value of what is near may well be infinite.
+  // Plain loops, since Eigen knows no masks; the value of what is near may well be infinite.
   near = 0;
-  double sum = 0.0;
   for (Index lane = 0; lane < TriangleTree::arity; ++lane) {
-    const bool isNear = squared[lane] <= m.nearSquared[lane];
-    near |= static_cast<unsigned>(isNear) << lane;
-    sum += isNear ? 0.0 : static_cast<double>(value[lane]);
+    near |= static_cast<unsigned>(squared[lane] <= m.nearSquared[lane]) << lane;
   }
-  return sum;
+  for (unsigned left = near; left != 0; left &= left - 1) {
+    value[std::countr_zero(left)] = 0.0F;
+  }
+  return value.cast<double>().sum();
 }
 
 double WindingNumber::at(const Vec3& point) const {
@@ -197,19 +273,16 @@ double WindingNumber::at(const Vec3& point) const {
   const Eigen::Vector3f unit = (tree_.scale() * (point - tree_.origin())).cast<float>();
   const Lanes lanes[3] = {Lanes::Constant(unit[0]), Lanes::Constant(unit[1]), Lanes::Constant(unit[2])};
   double far = 0.0;
-  AngleSum angles;
+  LeafAngleSums angles;
+  TriangleTree::LeafCorners corners;
   std::pair<Index, Index> open[128];  // level, node
   int size = 0;
   open[size++] = {tree_.levelCount() - 1, 0};
   while (size > 0) {
     const auto [level, node] = open[--size];
     if (level == 0) {
-      const Index end = std::min((node + 1) * TriangleTree::leafSize, tree_.triangleCount());
-      for (Index t = node * TriangleTree::leafSize; t < end; ++t) {
-        addHalfSolidAngle(tree_.scale() * (tree_.corner(t, 0) - point),
-                          tree_.scale() * (tree_.corner(t, 1) - point),
-                          tree_.scale() * (tree_.corner(t, 2) - point), angles);
-      }
+      tree_.cornersOfLeaf(node, point, corners);
+      angles.add(corners);
       continue;
     }
     unsigned near = 0;

@@ -1,6 +1,7 @@
 #include "core/ffd/placement/surface_parts.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/morton.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -152,10 +153,12 @@ Vec3 SurfaceParts::triangleNormal(Index triangle) const {
 }
 
 std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress& progress) const {
-  std::vector<std::uint8_t> flags(static_cast<std::size_t>(points.rows()));
+  // Near ones one after the other: they look at the same parts of the surface.
+  const std::vector<Index> order = mortonOrderOf(points, mesh_->bounds());
+  std::vector<std::uint8_t> flags(order.size());
   parallelFor(flags.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
-      flags[i] = isInside(points.row(static_cast<Index>(i)));
+      flags[order[i]] = isInside(points.row(order[i]));
     }
   });
   progress.throwIfCancelled();

@@ -49,9 +49,9 @@ class WindingNumberTest : public QObject {
     const Mesh mesh = test::cube();
     const Triangles triangles = triangulate(mesh.positions, mesh.faces);
     const WindingNumber winding(mesh.positions, triangles.vertices);
-    QVERIFY(std::abs(winding.at({0.1, 0.2, -0.3}) - 1.0) < 1e-12);
-    QVERIFY(std::abs(winding.at({0.6, 0.0, 0.0})) < 1e-12);
-    QVERIFY(std::abs(winding.at({0.49999, 0.49999, 0.49999}) - 1.0) < 1e-9);
+    QVERIFY(std::abs(winding.at({0.1, 0.2, -0.3}) - 1.0) < 1e-5);
+    QVERIFY(std::abs(winding.at({0.6, 0.0, 0.0})) < 1e-5);
+    QVERIFY(std::abs(winding.at({0.49999, 0.49999, 0.49999}) - 1.0) < 1e-5);
     QVERIFY(winding.isInside({0.1, 0.2, -0.3}));
     QVERIFY(!winding.isInside({100.0, 0.0, 0.0}));
   }

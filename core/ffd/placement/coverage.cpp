@@ -27,26 +27,26 @@ class Cover {
         mesh_(mesh),
         blocks_(mesh.positions(), mesh.mortonOrder()),
         walks_(mesh.graph(), mesh.vertexCount()),
-        isReached_(static_cast<std::size_t>(mesh.vertexCount()), false) {}
+        isReached_(static_cast<std::size_t>(blocks_.blockCount()), 0) {}
 
   void coverAll(const Progress& progress) {
     growToTouch(progress);
     for (const ControlPoint& point : points_) {
       regions_.emplace_back(point.rest);
     }
-    const auto reached = reachedByEach(progress);
-    for (const auto& vertices : reached) {
-      mark(vertices);
+    for (const Membership& members : reachedByEach(progress)) {
+      mark(members);
     }
-    std::vector<bool> hasFace(isReached_.size(), false);
+    std::vector<bool> hasFace(static_cast<std::size_t>(mesh_.vertexCount()), false);
     for (const Index vertex : mesh_.mesh().faces.vertices()) {
       hasFace[vertex] = true;
     }
-    for (std::size_t v = 0; v < isReached_.size(); ++v) {
-      if (!isReached_[v] && hasFace[v]) {
+    const std::vector<Index>& order = mesh_.mortonOrder();
+    for (std::size_t slot = 0; slot < order.size(); ++slot) {
+      if (!isReached(slot) && hasFace[order[slot]]) {
         progress.throwIfCancelled();
-        takeIn(static_cast<Index>(v));
-        result_.uncovered += !isReached_[v];
+        takeIn(static_cast<Index>(slot));
+        result_.uncovered += !isReached(slot);
       }
     }
   }
@@ -55,7 +55,7 @@ class Cover {
 
  private:
   /// The vertices that a point counts.
-  std::vector<Index> reachedBy(const ControlPoint& point) {
+  Membership reachedBy(const ControlPoint& point) {
     const std::vector<Index>& order = mesh_.mortonOrder();
     const Region region(point.rest);
     Membership members = pointsInside(blocks_, region);
@@ -64,26 +64,22 @@ class Cover {
       startWalk(*walk, blocks_, order, region, members);
       members = countedBy(*walk, members, order);
     }
-    std::vector<Index> vertices;
-    for (std::size_t e = 0; e < members.blocks.size(); ++e) {
-      for (Index k = 0; k < PointBlocks::blockSize; ++k) {
-        if ((members.members[e] >> k & 1) != 0) {
-          vertices.push_back(order[members.blocks[e] * PointBlocks::blockSize + k]);
-        }
-      }
-    }
-    return vertices;
+    return members;
   }
 
-  std::vector<std::vector<Index>> reachedByEach(const Progress& progress) {
-    std::vector<std::vector<Index>> reached(points_.size());
-    parallelFor(points_.size(), 4, [&](std::size_t begin, std::size_t end) {
+  std::vector<Membership> reachedByEach(const Progress& progress) {
+    std::vector<Membership> reached(points_.size());
+    parallelFor(points_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
         reached[i] = reachedBy(points_[i]);
       }
     });
     progress.throwIfCancelled();
     return reached;
+  }
+
+  bool isReached(std::size_t slot) const {
+    return (isReached_[slot / PointBlocks::blockSize] >> slot % PointBlocks::blockSize & 1) != 0;
   }
 
   void growToTouch(const Progress& progress) {
@@ -110,46 +106,50 @@ class Cover {
     points_[point].pose = points_[point].rest;
   }
 
-  void mark(const std::vector<Index>& vertices) {
-    for (const Index vertex : vertices) {
-      isReached_[vertex] = true;
+  void mark(const Membership& members) {
+    for (std::size_t e = 0; e < members.blocks.size(); ++e) {
+      isReached_[members.blocks[e]] |= members.members[e];
     }
   }
 
-  void takeIn(Index vertex) {
+  void takeIn(Index slot) {
+    const Vec3 vertex = mesh_.positions().row(mesh_.mortonOrder()[slot]);
     // By what they were at first: one that has grown would else be the nearest to more and more.
     std::vector<std::pair<double, std::size_t>> byDistance;
     for (std::size_t i = 0; i < regions_.size(); ++i) {
-      byDistance.emplace_back(regions_[i].squaredDistance(mesh_.positions().row(vertex)), i);
+      byDistance.emplace_back(regions_[i].squaredDistance(vertex), i);
     }
     const std::size_t tried = std::min(regionsTried, byDistance.size());
     std::partial_sort(byDistance.begin(), byDistance.begin() + static_cast<std::ptrdiff_t>(tried),
                       byDistance.end());
     for (std::size_t t = 0; t < tried; ++t) {
-      if (growIfItReaches(byDistance[t].second, factorToTakeIn(byDistance[t].second, vertex), vertex)) {
+      if (growIfItReaches(byDistance[t].second, factorToTakeIn(byDistance[t].second, vertex), slot)) {
         return;
       }
     }
     // A region that holds the whole mesh reaches all of it.
     const std::size_t nearest = byDistance[0].second;
     for (double factor = factorToTakeIn(nearest, vertex); factor < 1e6; factor *= growthOfLastResort) {
-      if (growIfItReaches(nearest, factor, vertex)) {
+      if (growIfItReaches(nearest, factor, slot)) {
         return;
       }
     }
   }
 
-  double factorToTakeIn(std::size_t point, Index vertex) const {
+  double factorToTakeIn(std::size_t point, const Vec3& vertex) const {
     const Region region(points_[point].rest);
-    return std::max(1.0, std::sqrt(region.squaredDistance(mesh_.positions().row(vertex))) / takenInAt);
+    return std::max(1.0, std::sqrt(region.squaredDistance(vertex)) / takenInAt);
   }
 
-  bool growIfItReaches(std::size_t point, double factor, Index vertex) {
+  bool growIfItReaches(std::size_t point, double factor, Index slot) {
     ControlPoint larger = points_[point];
     larger.rest = scaled(larger.rest, factor);
     larger.pose = larger.rest;
-    const std::vector<Index> reached = reachedBy(larger);
-    if (std::find(reached.begin(), reached.end(), vertex) == reached.end()) {
+    const Membership reached = reachedBy(larger);
+    const auto at =
+        std::lower_bound(reached.blocks.begin(), reached.blocks.end(), slot / PointBlocks::blockSize);
+    if (at == reached.blocks.end() || *at != slot / PointBlocks::blockSize ||
+        (reached.members[at - reached.blocks.begin()] >> slot % PointBlocks::blockSize & 1) == 0) {
       return false;
     }
     points_[point] = larger;
@@ -163,7 +163,7 @@ class Cover {
   std::vector<Region> regions_;  ///< before any vertex was taken in
   PointBlocks blocks_;
   ReachWalks walks_;
-  std::vector<bool> isReached_;
+  std::vector<std::uint16_t> isReached_;  ///< one a block: bit k for its k-th vertex
   Coverage result_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/ffd/placement/decimation.h"
 
 #include "core/base/parallel.h"
+#include "core/ffd/placement/dense_merging.h"
 #include "core/ffd/placement/octree_cells.h"
 #include "core/ffd/placement/partner_search.h"
 
@@ -127,7 +128,8 @@ Decimated decimateCells(const Points& points, double ratio, const MergeRules& ru
       // Rounded along the row of cells, so that the shares add up.
       const auto upTo = [&](Index i) { return static_cast<Index>(ratio * static_cast<double>(i)); };
       const Index target = std::max<Index>(1, upTo(first + count) - upTo(first));
-      results[c] = mergeClosestPairs(inside, target, {{}, rules.factor});
+      results[c] = rules.factor ? mergeClosestPairs(inside, target, {{}, rules.factor})
+                                : mergeFewClosestPairs(inside, target);
       for (Index& place : results[c].places) {
         place = cells.order[first + place];
       }

@@ -73,21 +73,44 @@ std::vector<double> sliverRadii(const SurfaceParts& parts, const PointPool& insi
   return limits;
 }
 
-/// Points of a grid over the bounds, each moved within its cell, that lie inside.
-std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double cell, unsigned seed,
-                                  const Progress& progress) {
-  const Bounds& bounds = parts.mesh().bounds();
-  Index counts[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    counts[axis] = static_cast<Index>(std::ceil((bounds.high[axis] - bounds.low[axis]) / cell)) + 1;
+/// A grid over the bounds with cells of about one size, flatter where the bounds are.
+struct Grid {
+  std::size_t counts[3];
+  Vec3 cell;
+
+  Grid(const Bounds& bounds, double size) {
+    const Vec3 extent = bounds.high - bounds.low;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double count = std::max(1.0, std::ceil(extent[axis] / size));
+      counts[axis] = static_cast<std::size_t>(std::min(count, 1e9));
+      cell[axis] = extent[axis] / static_cast<double>(counts[axis]);
+    }
   }
-  const auto total = static_cast<std::size_t>(counts[0]) * counts[1] * counts[2];
+  double total() const {
+    return static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * static_cast<double>(counts[2]);
+  }
+};
+
+/// A point of each cell of a grid over the bounds, somewhere in its middle, that lies inside.
+std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsigned seed,
+                                  const Progress& progress) {
+  // However small the volume is in its box, no more than fit in memory.
+  constexpr double greatestGrid = 1e6;
+  const Bounds& bounds = parts.mesh().bounds();
+  Grid grid(bounds, size);
+  while (grid.total() > greatestGrid) {
+    size *= 1.25;
+    grid = Grid(bounds, size);
+  }
+  const auto total = static_cast<std::size_t>(grid.total());
   Points points(static_cast<Eigen::Index>(total), 3);
   for (std::size_t i = 0; i < total; ++i) {
-    const std::size_t at[3] = {i % counts[0], i / counts[0] % counts[1], i / counts[0] / counts[1]};
+    const std::size_t at[3] = {i % grid.counts[0], i / grid.counts[0] % grid.counts[1],
+                               i / grid.counts[0] / grid.counts[1]};
     for (int axis = 0; axis < 3; ++axis) {
-      const double shift = 0.5 * (randomShare(seed, 3 * i + axis) - 0.5);
-      points(static_cast<Index>(i), axis) = bounds.low[axis] + cell * (static_cast<double>(at[axis]) + shift);
+      const double shift = 0.5 * randomShare(seed, 3 * i + axis) + 0.25;
+      points(static_cast<Index>(i), axis) =
+          bounds.low[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
     }
   }
   const std::vector<bool> isInside = parts.insideFlags(points, progress);
@@ -221,16 +244,15 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
   if (picks.size() >= target) {
     return pool;
   }
-  // A few candidates for each that is wanted; of a volume that is small in its box no more than fit in memory.
+  // A few candidates for each that is wanted, the best spaced first.
   constexpr double candidatesPerPoint = 4.0;
-  constexpr double greatestGrid = 1e6;
-  const double boxVolume = (bounds.high - bounds.low).prod();
-  const double cell = std::cbrt(std::max(volume / (candidatesPerPoint * target), boxVolume / greatestGrid));
+  constexpr int attempts = 9;
+  const double cell = std::cbrt(volume / (candidatesPerPoint * target));
   const std::vector<Vec3> candidates = scatteredInside(parts, cell, seed, progress);
   PointPool filled = pool;
   const RandomOrder candidateOrder(candidates.size(), seed + 1);
   std::vector<bool> isTaken(candidates.size(), false);
-  for (int attempt = 0; attempt < 8 && picks.size() < target; ++attempt, spacing *= 0.7) {
+  for (int attempt = 1; attempt <= attempts && picks.size() < target; ++attempt) {
     for (std::size_t i = 0; i < candidates.size() && picks.size() < target; ++i) {
       const std::size_t c = candidateOrder[i];
       if (!isTaken[c] && picks.pick({candidates[c], Vec3::Zero(), 0, spacing})) {
@@ -238,6 +260,7 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
         filled.append(candidates[c], partNear(parts, candidates[c]));
       }
     }
+    spacing = attempt + 1 < attempts ? 0.7 * spacing : 0.0;
   }
   filled.shrink();
   return filled;

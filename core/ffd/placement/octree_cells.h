@@ -14,6 +14,6 @@ struct OctreeCells {
 
 /// Splits space until no leaf has more than `capacity` points (or all of them lie within 2^-21 of the
 /// extent). Each group has an octree of its own; `groups` may be empty.
-OctreeCells octreeCells(const Points& points, const std::vector<Index>& groups, Index capacity = 256);
+OctreeCells octreeCells(const Points& points, const std::vector<Index>& groups, Index capacity = 128);
 
 }  // namespace pbffd

@@ -6,6 +6,7 @@
 #include "core/ffd/placement/coverage.h"
 #include "core/ffd/placement/placement_cache.h"
 #include "core/ffd/placement/region_shape.h"
+#include "core/ffd/placement/shares.h"
 #include "core/mesh/voronoi.h"
 
 #include <algorithm>
@@ -34,6 +35,16 @@ void requirePlaceable(const RestMesh& mesh) {
     throw InvalidInput(format("{}all {} vertices lie in one point. Check how the mesh was exported.", what,
                               mesh.vertexCount()));
   }
+  // Areas are squared on the way, and have to stay within double precision.
+  constexpr double greatest = 1e60;
+  const double size =
+      std::max(mesh.bounds().low.cwiseAbs().maxCoeff(), mesh.bounds().high.cwiseAbs().maxCoeff());
+  if (size > greatest || mesh.diagonal() < 1.0 / greatest) {
+    throw InvalidInput(
+        format("{}the mesh has a diagonal of {} and coordinates up to {}, where {} to {} can be worked with. "
+               "Scale it to another unit.",
+               what, mesh.diagonal(), size, 1.0 / greatest, greatest));
+  }
   if (spread[1] <= rounding) {
     throw InvalidInput(format("{}all {} vertices lie on one line. Check how the mesh was exported.", what,
                               mesh.vertexCount()));
@@ -41,51 +52,6 @@ void requirePlaceable(const RestMesh& mesh) {
 }
 
 namespace {
-
-/// How many points go where.
-struct Shares {
-  Index interior = 0;
-  Index exterior = 0;
-  Index around = 0;
-};
-
-Index rounded(double value) {
-  return static_cast<Index>(std::lround(value));
-}
-
-/// By the area of closed and open parts, and by the exterior share within the closed ones.
-Shares wantedShares(const PlacementOptions& options, const SurfaceParts& parts) {
-  const Index total = options.points;
-  const double openArea = parts.areaOf(false);
-  const double closedArea = parts.areaOf(true);
-  Shares shares;
-  if (parts.countOf(false) > 0) {
-    const double share = openArea + closedArea > 0.0 ? openArea / (openArea + closedArea) : 1.0;
-    const Index least = std::min(parts.countOf(false), total);
-    const Index most = std::max<Index>(least, total - parts.countOf(true));
-    shares.around = parts.countOf(true) == 0 ? total : std::clamp(rounded(share * total), least, most);
-  }
-  shares.exterior = rounded(options.exteriorShare * (total - shares.around));
-  shares.interior = total - shares.around - shares.exterior;
-  return shares;
-}
-
-/// What one side has no room for goes to the others.
-Shares fittedShares(const Shares& wanted, Index interiorRoom, Index exteriorRoom, Index aroundRoom) {
-  Shares shares{std::min(wanted.interior, interiorRoom), std::min(wanted.exterior, exteriorRoom),
-                std::min(wanted.around, aroundRoom)};
-  Index missing = wanted.interior + wanted.exterior + wanted.around;
-  missing -= shares.interior + shares.exterior + shares.around;
-  const auto giveTo = [&](Index& share, Index room) {
-    const Index more = std::min(missing, room - share);
-    share += more;
-    missing -= more;
-  };
-  giveTo(shares.exterior, exteriorRoom);
-  giveTo(shares.interior, interiorRoom);
-  giveTo(shares.around, aroundRoom);
-  return shares;
-}
 
 /// The Voronoi vertices, and what stands in for them where a part has none.
 PointPool interiorPool(const PlacementCache& cache, Index wanted, const PlacementOptions& options,
@@ -132,7 +98,9 @@ Places choosePlaces(const PlacementCache& cache, const PlacementOptions& options
   std::array<PointPool, 3> pools;
   parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      pools[i] = decimatedPool(tasks[i].from, tasks[i].target, tasks[i].side, parts, progress);
+      const bool isReady = &tasks[i].from == &exterior.outside && cache.outside.target == tasks[i].target;
+      pools[i] = isReady ? *cache.outside.points
+                         : decimatedPool(tasks[i].from, tasks[i].target, tasks[i].side, parts, progress);
     }
   });
   Places places;

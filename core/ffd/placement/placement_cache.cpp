@@ -1,5 +1,7 @@
 #include "core/ffd/placement/placement_cache.h"
 
+#include "core/ffd/placement/shares.h"
+
 #include <algorithm>
 #include <future>
 
@@ -58,6 +60,21 @@ std::future<std::shared_ptr<const PointPool>> startInterior(const SurfaceParts& 
   });
 }
 
+PlacementCache::Outside chooseOutside(const PointPool& pool, const PlacementOptions& options,
+                                      const SurfaceParts& parts, const Progress& progress) {
+  const Index target = std::min(wantedShares(options, parts).exterior, pool.size());
+  return {target,
+          std::make_shared<const PointPool>(decimatedPool(pool, target, Side::outside, parts, progress))};
+}
+
+/// Has the mesh work out what the regions will ask for.
+void warmUp(const RestMesh& mesh, Reach reach) {
+  static_cast<void>(mesh.mortonOrder());
+  if (reach == Reach::connected) {
+    static_cast<void>(mesh.graph());
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr<const RestMesh>& mesh,
@@ -82,6 +99,7 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   if (sameGround && before->offset == options.offset) {
     made->interior = before->interior;
     made->exterior = before->exterior;
+    made->outside = before->outside;
     return made;
   }
   progress.throwIfCancelled();
@@ -97,6 +115,8 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   made->exterior = std::make_shared<const ExteriorPools>(
       exteriorPools(parts, samples.exterior, options.offset * mesh->diagonal(), progress));
   if (!sameGround) {
+    made->outside = chooseOutside(made->exterior->outside, options, parts, progress);
+    warmUp(*mesh, options.reach);
     made->interior = interior.get();
   }
   return made;

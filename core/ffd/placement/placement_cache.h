@@ -28,6 +28,13 @@ class PlacementCache {
   std::shared_ptr<const PointPool> interior;      ///< Voronoi vertices inside
   std::shared_ptr<const ExteriorPools> exterior;  ///< at `offset`
 
+  /// What the points outside closed parts come down to for one number of them; made while Qhull runs.
+  struct Outside {
+    Index target = -1;  ///< -1: not made
+    std::shared_ptr<const PointPool> points;
+  };
+  Outside outside;
+
   /// Uses of `before` what was made for the same mesh and options, and makes the rest. The Voronoi vertices
   /// and the exterior candidates are computed side by side. Throws Cancelled.
   static std::shared_ptr<const PlacementCache> make(const std::shared_ptr<const RestMesh>& mesh,

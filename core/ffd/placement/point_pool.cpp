@@ -12,9 +12,16 @@ namespace {
 /// A pair across a wall counts as if it were twice as far apart.
 constexpr double wallFactor = 4.0;
 
-/// Octree cells, which know no walls, leave so many points for each that is wanted, and no fewer than these.
+/// Octree cells, which know no walls, leave so many points for each that is wanted, within these bounds ...
 constexpr Index poolFactor = 16;
-constexpr Index exactFrom = 1000;
+constexpr Index leastPool = 1000;
+constexpr Index greatestPool = 16000;
+/// ... but always a choice of so many.
+constexpr Index leastFactor = 3;
+
+Index poolFor(Index target) {
+  return std::max(leastFactor * target, std::clamp(poolFactor * target, leastPool, greatestPool));
+}
 
 MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
   MergeRules rules;
@@ -108,8 +115,7 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
     return {};
   }
   const MergeRules rules = rulesFor(pool, target, side, parts);
-  const Index enough = std::max(exactFrom, poolFactor * target);
-  const Decimated coarse = decimateInOctree(pool.points, enough, {rules.groups, nullptr}, progress);
+  const Decimated coarse = decimateInOctree(pool.points, poolFor(target), {rules.groups, nullptr}, progress);
   PointPool left{coarse.points, coarse.groups};
   if (left.size() < pool.size()) {
     left = withoutOffSide(left, side, parts, progress);

@@ -9,7 +9,8 @@
 
 namespace pbffd {
 
-/// Memory on a cache line's border, in large pages where the system offers them. Throws std::bad_alloc.
+/// Memory on a cache line's border, in large pages where the system offers them; what was in it before may
+/// still be there. Up to 192 MiB of what is freed is kept for the next. Throws std::bad_alloc.
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory);
 

@@ -45,6 +45,7 @@ constexpr ActionRow rows[] = {
     {unlockPoints, "Points", 2, "Unlock", "", "unlock", Needs::selection},
     {poseToRest, "Points", 3, "Back to rest", "Alt+G", "undo", Needs::selection},
     {resetAll, "Points", 3, "All back to rest", "Alt+Shift+G", "", Needs::points},
+    {refineHere, "Points", 4, "Refine here", "Ctrl+Alt+R", "refine", Needs::selection},
     {placeAgain, "Points", 4, "Place again", "Ctrl+Alt+P", "place", Needs::document},
 
     {toolSelect, "Deform", 0, "Select", "Q", "select", Needs::document, true},

@@ -55,6 +55,7 @@ enum class ActionId {
   unlockPoints,
   poseToRest,
   resetAll,
+  refineHere,
   placeAgain,
 
   toolSelect,

@@ -68,6 +68,8 @@ void PointCommands::connectEdits(Actions& actions) {
   on(ActionId::lockPoints, [this] { document_.perform(Lock{selected(), true}); });
   on(ActionId::unlockPoints, [this] { document_.perform(Lock{selected(), false}); });
   on(ActionId::resetAll, [this] { document_.perform(Reset{}); });
+  // Many points of a large mesh take a while.
+  on(ActionId::refineHere, [this] { document_.performInBackground(Refine{selected()}); });
   on(ActionId::poseToRest, [this] { poseToRest(); });
 }
 

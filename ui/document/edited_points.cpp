@@ -58,6 +58,15 @@ struct Finder {
                         without(identifiersOf(after.controls, level), identifiersOf(before.controls, level))};
   }
 
+  /// The points that were refined with those that came to them.
+  std::optional<EditedPoints> operator()(const Refine& edit) const {
+    const int level = levelOf(edit.where.level);
+    EditedPoints all{level, edit.where.points};
+    const auto fresh = without(identifiersOf(after.controls, level), identifiersOf(before.controls, level));
+    all.points.insert(all.points.end(), fresh.begin(), fresh.end());
+    return all;
+  }
+
   std::optional<EditedPoints> operator()(const Group& group) const {
     std::optional<EditedPoints> all;
     for (const Edit& edit : group.edits) {

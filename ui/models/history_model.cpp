@@ -21,6 +21,7 @@ struct IconOf {
   QString operator()(const SetRegion&) const { return "region"; }
   QString operator()(const Add&) const { return "add"; }
   QString operator()(const Remove&) const { return "remove"; }
+  QString operator()(const Refine&) const { return "refine"; }
   QString operator()(const Enable& edit) const { return edit.enabled ? "eye" : "eye-off"; }
   QString operator()(const Lock& edit) const { return edit.locked ? "lock" : "unlock"; }
   QString operator()(const Rename&) const { return "rename"; }

@@ -117,10 +117,15 @@ void StatusLine::rebuildHint() {
   static const QRegularExpression keys(R"(\[([^\]]+)\])");
   qsizetype from = 0;
   const auto addText = [&](qsizetype to) {
-    const QString text = hint_.mid(from, to - from).trimmed();
-    if (!text.isEmpty()) {
-      hintRow_->addWidget(makeLabel(text, from == 0 ? "strong" : "label"));
-      hintRow_->addSpacing(6);
+    // Two blanks part one hint from the next.
+    const QStringList hints = hint_.mid(from, to - from).split("  ");
+    for (qsizetype i = 0; i < hints.size(); ++i) {
+      if (const QString text = hints[i].trimmed(); !text.isEmpty()) {
+        hintRow_->addWidget(makeLabel(text, from == 0 ? "strong" : "label"));
+      }
+      if (i + 1 < hints.size()) {
+        hintRow_->addSpacing(12);
+      }
     }
   };
   for (auto match = keys.globalMatch(hint_); match.hasNext();) {

@@ -49,6 +49,7 @@ class MainWindowTest : public QObject {
   void actionsAreGreyedWithAReason();
   void undoSaysWhatItUndoes();
   void lettersActInTheViewAlone();
+  void refineHereIsUndone();
   void treeAndSelectionAreOne();
   void theEditLevelIsAKey();
   void themesSwitchLive();
@@ -170,6 +171,23 @@ void MainWindowTest::lettersActInTheViewAlone() {
   QCOMPARE(filter->text(), QString("g1"));
   QVERIFY(action(ActionId::toolSelect).isChecked());
   QCOMPARE(document().selection().level(), 3);
+}
+
+void MainWindowTest::refineHereIsUndone() {
+  QVERIFY(openBar());
+  QVERIFY(!action(ActionId::refineHere).isEnabled());
+  const auto points = firstPoints(document(), 4);
+  document().selection().replace(points);
+  action(ActionId::refineHere).trigger();
+  QVERIFY(finishJobs(document()));
+  QCOMPARE(document().shown().controls.finest().size(), 204);
+  action(ActionId::undo).trigger();
+  QCOMPARE(document().shown().controls.finest().size(), 200);
+  QCOMPARE(document().selection().points(), points);
+  // Those that were refined are selected with those that came.
+  action(ActionId::redo).trigger();
+  QCOMPARE(document().shown().controls.finest().size(), 204);
+  QCOMPARE(document().selection().points().size(), std::size_t{8});
 }
 
 void MainWindowTest::treeAndSelectionAreOne() {

@@ -141,6 +141,18 @@ Index partNear(const SurfaceParts& parts, const Vec3& point) {
   return 0;
 }
 
+PointPool surelyInside(const PointPool& pool, const SurfaceParts& parts, const Progress& progress) {
+  const std::vector<bool> isInside = parts.insideFlags(pool.points, progress);
+  PointPool kept;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (isInside[i]) {
+      kept.append(pool.points.row(i), pool.parts[i]);
+    }
+  }
+  kept.shrink();
+  return kept;
+}
+
 /// The usual distance of `target` points that share a volume; a little less than dart throwing gives.
 double spacingIn(double volume, Index target) {
   constexpr double packing = 0.7;
@@ -236,20 +248,25 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
   }
   // How many of the pool stand as far apart as so many points in that volume would.
   double spacing = spacingIn(volume, target);
-  SpacedPicks picks(bounds.low, bounds.high, spacing);
-  const RandomOrder order(static_cast<std::uint64_t>(pool.size()), seed);
-  for (Index i = 0; i < pool.size() && picks.size() < target; ++i) {
-    picks.pick({pool.points.row(static_cast<Index>(order[i])), Vec3::Zero(), 0, spacing});
-  }
-  if (picks.size() >= target) {
+  const auto wellSpaced = [&](const PointPool& from) {
+    SpacedPicks picks(bounds.low, bounds.high, spacing);
+    const RandomOrder order(static_cast<std::uint64_t>(from.size()), seed);
+    for (Index i = 0; i < from.size() && picks.size() < target; ++i) {
+      picks.pick({from.points.row(static_cast<Index>(order[i])), Vec3::Zero(), 0, spacing});
+    }
+    return picks;
+  };
+  if (wellSpaced(pool).size() >= target) {
     return pool;
   }
+  // On plates and needles votes go wrong; here each point counts.
+  PointPool filled = surelyInside(pool, parts, progress);
+  SpacedPicks picks = wellSpaced(filled);
   // A few candidates for each that is wanted, the best spaced first.
   constexpr double candidatesPerPoint = 4.0;
   constexpr int attempts = 9;
   const double cell = std::cbrt(volume / (candidatesPerPoint * target));
   const std::vector<Vec3> candidates = scatteredInside(parts, cell, seed, progress);
-  PointPool filled = pool;
   const RandomOrder candidateOrder(candidates.size(), seed + 1);
   std::vector<bool> isTaken(candidates.size(), false);
   for (int attempt = 1; attempt <= attempts && picks.size() < target; ++attempt) {

@@ -280,6 +280,12 @@ class PlacementTest : public QObject {
     requireGuarantees(test::placedAt(test::fork(), 1e12, Vec3::Zero()), withPoints(100));
   }
 
+  void squashedSolidsGetAsManyAsAskedFor() {
+    for (const Vec3& factors : {Vec3(1, 1, 1e-3), Vec3(1, 1e3, 1e-3), Vec3(1, 1e6, 1)}) {
+      requireGuarantees(stretched(test::sphere(), factors), withPoints(100));
+    }
+  }
+
   void closedMeshWithoutVolumeGetsPointsOutside() {
     const Mesh flat = stretched(test::cube(), Vec3(1, 1, 0));
     const PlacementResult result = place(flat, withPoints(40));
@@ -301,6 +307,17 @@ class PlacementTest : public QObject {
       QFAIL("no error");
     } catch (const InvalidInput& error) {
       QVERIFY(std::string(error.what()).find("vertex 3") != std::string::npos);
+    }
+  }
+
+  void sizesBeyondDoublePrecisionAreRefused() {
+    for (const double scale : {1e150, 1e-150}) {
+      try {
+        place(test::placedAt(test::cube(), scale, Vec3::Zero()), withPoints(10));
+        QFAIL("placed");
+      } catch (const InvalidInput& error) {
+        QVERIFY(std::string_view(error.what()).find("diagonal") != std::string_view::npos);
+      }
     }
   }
 

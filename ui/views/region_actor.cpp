@@ -2,6 +2,9 @@
 
 #include "ui/views/region_shape.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pbffd::ui {
 namespace {
 
@@ -15,6 +18,11 @@ Stroke paintedIn(const Rgba& color, float width) {
   stroke.colorFrom = stroke.colorTo = color;
   stroke.widthFrom = stroke.widthTo = width;
   return stroke;
+}
+
+Rgba faded(Rgba color, double share) {
+  color.back() = static_cast<Rgba::value_type>(color.back() * share);
+  return color;
 }
 
 }  // namespace
@@ -44,12 +52,22 @@ void RegionActor::setLens(const Projection::Lens& lens) {
   drawOutlines(lens);
 }
 
+double RegionActor::shareOfFills() const {
+  return std::min(
+      1.0, static_cast<double>(mostInFull) / static_cast<double>(std::max<std::size_t>(regions_.size(), 1)));
+}
+
+double RegionActor::shareOfLines() const {
+  return std::max(leastShareOfLines, std::sqrt(shareOfFills()));
+}
+
 void RegionActor::drawRings() {
   const bool areMany = regions_.size() > mostFilled;
+  const Rgba color = faded(colors_.rings, shareOfLines());
   std::vector<Stroke> strokes;
   for (const Frame& region : regions_) {
     for (const auto& ring : regionRings(region, areMany ? pointsOfRingAmongMany : pointsOfRing)) {
-      appendPolyline(strokes, ring, true, paintedIn(colors_.rings, ringWidth));
+      appendPolyline(strokes, ring, true, paintedIn(color, ringWidth));
     }
   }
   rings_.setStrokes(strokes);
@@ -65,13 +83,15 @@ void RegionActor::drawOutlines(const Projection::Lens& lens) {
     }
     return;
   }
+  const Rgba fill = faded(colors_.fill, shareOfFills());
+  const Rgba line = faded(colors_.outline, shareOfLines());
   std::vector<Stroke> strokes;
   std::vector<Fill> fills;
   for (const Frame& region : regions_) {
     const std::vector<Vec3> outline = regionOutline(region, lens, pointsOfRing);
-    appendPolyline(strokes, outline, true, paintedIn(colors_.outline, outlineWidth));
+    appendPolyline(strokes, outline, true, paintedIn(line, outlineWidth));
     for (std::size_t i = 2; i < outline.size(); ++i) {
-      fills.push_back({{outline[0], outline[i - 1], outline[i]}, colors_.fill});
+      fills.push_back({{outline[0], outline[i - 1], outline[i]}, fill});
     }
   }
   fills_.setFills(fills);

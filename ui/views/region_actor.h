@@ -9,12 +9,15 @@
 namespace pbffd::ui {
 
 /// The regions of influence of posed control points: a faint fill, three rings and the border as the camera
-/// sees it. Of many regions only the rings are drawn.
+/// sees it. The more regions, the fainter each, so that the mesh stays in sight; of many only the rings are
+/// drawn.
 class RegionActor {
  public:
   explicit RegionActor(vtkRenderer& renderer);
 
   static constexpr std::size_t mostFilled = 60;
+  static constexpr std::size_t mostInFull = 6;  ///< with more of them each is fainter
+  static constexpr double leastShareOfLines = 0.25;
 
   struct Colors {
     Rgba fill{};
@@ -30,6 +33,8 @@ class RegionActor {
   void setLens(const Projection::Lens& lens);
 
  private:
+  double shareOfFills() const;
+  double shareOfLines() const;
   void drawRings();
   void drawOutlines(const Projection::Lens& lens);
 

@@ -49,8 +49,9 @@ void ToolManager::setActive(ToolId id) {
 void ToolManager::trigger(ToolId id) {
   active_->cancel();
   setActive(id);
-  if (id != ToolId::select) {
-    static_cast<SelectTool*>(active_)->startModal(cursor_);
+  if (id != ToolId::select && static_cast<SelectTool*>(active_)->startModal(cursor_)) {
+    // The keys that follow (an axis, a number, Enter) are the gesture's, wherever the focus was.
+    viewport_.surface()->setFocus(Qt::ShortcutFocusReason);
   }
 }
 

@@ -49,6 +49,7 @@ class MainWindowTest : public QObject {
   void actionsAreGreyedWithAReason();
   void undoSaysWhatItUndoes();
   void lettersActInTheViewAlone();
+  void aMoveTakesTheKeysFromAnyPane();
   void refineHereIsUndone();
   void treeAndSelectionAreOne();
   void theEditLevelIsAKey();
@@ -170,6 +171,19 @@ void MainWindowTest::lettersActInTheViewAlone() {
   QTest::keyClicks(filter, "g1");
   QCOMPARE(filter->text(), QString("g1"));
   QVERIFY(action(ActionId::toolSelect).isChecked());
+  QCOMPARE(document().selection().level(), 3);
+}
+
+void MainWindowTest::aMoveTakesTheKeysFromAnyPane() {
+  QVERIFY(openBar());
+  document().selection().replace(firstPoints(document(), 4));
+  // A new mesh begins with its number of points in the placement panel.
+  QVERIFY(window().focusWidget() != window().viewport().surface());
+  const Vec3 before = document().shown().controls.finest()[0].pose.center;
+  for (const Qt::Key key : {Qt::Key_G, Qt::Key_Y, Qt::Key_1, Qt::Key_Return}) {
+    QTest::keyClick(window().focusWidget(), key);
+  }
+  QCOMPARE(document().shown().controls.finest()[0].pose.center.y(), before.y() + 1.0);
   QCOMPARE(document().selection().level(), 3);
 }
 

@@ -21,15 +21,6 @@ Corners cornersOf(const Points& points, const Triangles& triangles, Index t) {
           points.row(triangles.vertices[3 * t + 2])};
 }
 
-double volume(const Points& points, const Triangles& triangles) {
-  double sum = 0.0;
-  for (Index t = 0; t < triangles.size(); ++t) {
-    const auto [a, b, c] = cornersOf(points, triangles, t);
-    sum += a.dot(b.cross(c)) / 6.0;
-  }
-  return sum;
-}
-
 /// The triangle's edges in its own plane, 2 x 2.
 Eigen::Matrix2d flat(const Corners& corners) {
   const Vec3 a = corners[1] - corners[0];
@@ -61,8 +52,7 @@ std::vector<std::pair<Index, Index>> neighbours(const Triangles& triangles) {
   std::vector<std::pair<Index, Index>> pairs;
   for (Index t = 0; t < triangles.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
-      const auto edge =
-          std::minmax(triangles.vertices[3 * t + c], triangles.vertices[3 * t + (c + 1) % 3]);
+      const auto edge = std::minmax(triangles.vertices[3 * t + c], triangles.vertices[3 * t + (c + 1) % 3]);
       const auto [at, isNew] = open.try_emplace(edge, t);
       if (!isNew) {
         pairs.emplace_back(at->second, t);
@@ -79,6 +69,15 @@ double percentile(std::vector<double> values, double share) {
 }
 
 }  // namespace
+
+double volume(const Points& points, const Triangles& triangles) {
+  double sum = 0.0;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto [a, b, c] = cornersOf(points, triangles, t);
+    sum += a.dot(b.cross(c)) / 6.0;
+  }
+  return sum;
+}
 
 Quality measure(const Points& rest, const Points& deformed, const Triangles& triangles) {
   Quality quality;

@@ -1,5 +1,6 @@
 #include "tests/quality/tasks.h"
 
+#include "tests/quality/solids.h"
 #include "tests/support/shapes.h"
 
 #include <Eigen/Geometry>
@@ -7,11 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace pbffd::test {
 namespace {
 
-constexpr double length = 5.0;
+constexpr double length = 6.0;
 constexpr double heldAtEachEnd = 0.6;
 constexpr double freeLength = length - 2.0 * heldAtEachEnd;
 
@@ -36,18 +38,17 @@ AffineMap bend(double x, double angle) {
   return makeMap(rotation, arc - rotation * from);
 }
 
-Mesh squareBar(int rings, int perSide) {
-  Mesh round = cylinder(length, 0.5, rings, 4 * perSide);
-  // Each ring is walked along the square instead of the circle.
-  for (int r = 0; r < rings; ++r) {
-    for (int s = 0; s < 4 * perSide; ++s) {
-      const double along = -0.5 + static_cast<double>(s % perSide) / perSide;
-      const Eigen::Vector2d side(along, -0.5);
-      const Eigen::Rotation2Dd turn(s / perSide * std::numbers::pi / 2.0);
-      round.positions.row(r * 4 * perSide + s).tail<2>() = (turn * side).transpose();
-    }
+/// 0 at the trunk, 1 at the branch, half and half where they are as near as each other. Space between and
+/// around them belongs to the nearer.
+double shareOfBranch(const CactusSize& size, const Vec3& place) {
+  constexpr double seam = 0.6;  // how wide the one turns into the other
+  if (place.y() <= 0.0) {
+    return 0.0;
   }
-  return round;
+  const double toTrunk = std::hypot(place.y(), place.z()) - size.radius;
+  const double toBranch = std::hypot(place.x() - size.branchAt(), place.z()) - size.branchRadius;
+  const double t = std::clamp(0.5 + (toTrunk - toBranch) / seam, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
 }  // namespace
@@ -58,21 +59,17 @@ Task bendTask() {
 }
 
 Task twistTask() {
-  return {"twist 135", squareBar(129, 12), [](const Vec3& place) {
+  return {"twist 135", squareBar({.length = length, .width = 1.0, .across = 12, .along = 123}),
+          [](const Vec3& place) {
             const double angle = shareAlong(place.x()) * radians(135.0);
             return makeMap(Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero());
           }};
 }
 
 Task cactusTask() {
-  // The branch is a thinner tube of its own, sunk into the trunk at three quarters of its length.
-  constexpr double branchAt = 3.6;
-  Mesh branch = cylinder(1.6, 0.25, 40, 24);
-  const Mat3 turn = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitY()).toRotationMatrix();
-  branch.positions = (branch.positions * turn.transpose()).rowwise() + Vec3(branchAt, 0.0, -0.3).transpose();
-  return {"cactus 70", merged(cylinder(length, 0.5, 95, 40), branch), [](const Vec3& place) {
-            const bool isBranch = Vec3(0, place.y(), place.z()).norm() > 0.55;
-            return bend(isBranch ? branchAt : place.x(), radians(70.0));
+  const CactusSize size{.length = length};
+  return {"cactus 70", cactus(size), [size](const Vec3& place) {
+            return bend(std::lerp(place.x(), size.branchAt(), shareOfBranch(size, place)), radians(70.0));
           }};
 }
 
@@ -83,6 +80,29 @@ Points naturalShape(const Task& task, const Points& points) {
     shape.row(i) = applyMap(task.motion(place), place);
   }
   return shape;
+}
+
+Points blendedShape(const Task& task, const Points& points) {
+  const AffineMap first = task.motion(Vec3::Zero());
+  const AffineMap last = task.motion(Vec3(length, 0.0, 0.0));
+  Points shape(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Vec3 place = points.row(i);
+    const double share = shareAlong(place.x());
+    shape.row(i) = (1.0 - share) * applyMap(first, place) + share * applyMap(last, place);
+  }
+  return shape;
+}
+
+std::vector<Eigen::Index> handlesOf(const Points& points) {
+  std::vector<Eigen::Index> handles;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const double share = shareAlong(points(i, 0));
+    if (share <= 0.0 || share >= 1.0) {
+      handles.push_back(i);
+    }
+  }
+  return handles;
 }
 
 }  // namespace pbffd::test

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pbffd::test {
 
@@ -23,10 +24,17 @@ Task bendTask();
 /// A closed square bar of 6,194 vertices twisted by 135 degrees.
 Task twistTask();
 
-/// A trunk with a branch, bent by 70 degrees; the branch follows rigidly.
+/// A trunk with a branch in the hollow of the bend, 4,760 vertices, bent by 70 degrees; the branch follows
+/// rigidly.
 Task cactusTask();
 
 /// Where the natural field takes the points, N x 3.
 Points naturalShape(const Task& task, const Points& points);
+
+/// The points carried by the maps of the two held ends alone, blended evenly between: linear skinning.
+Points blendedShape(const Task& task, const Points& points);
+
+/// The points, of N x 3 in the rest shape, in the two ends that are held: ascending.
+std::vector<Eigen::Index> handlesOf(const Points& points);
 
 }  // namespace pbffd::test

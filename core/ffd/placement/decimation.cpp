@@ -13,6 +13,9 @@
 namespace pbffd {
 namespace {
 
+/// Up to so many points plain arrays are faster than a tree.
+constexpr Index fewPoints = 512;
+
 /// The best merge of `owner`, as it was when it was looked for.
 struct Candidate {
   double cost;
@@ -128,8 +131,9 @@ Decimated decimateCells(const Points& points, double ratio, const MergeRules& ru
       // Rounded along the row of cells, so that the shares add up.
       const auto upTo = [&](Index i) { return static_cast<Index>(ratio * static_cast<double>(i)); };
       const Index target = std::max<Index>(1, upTo(first + count) - upTo(first));
-      results[c] = rules.factor ? mergeClosestPairs(inside, target, {{}, rules.factor})
-                                : mergeFewClosestPairs(inside, target);
+      // A cell whose points all lie in one place holds them all, however many.
+      results[c] = rules.factor || count > fewPoints ? mergeClosestPairs(inside, target, {{}, rules.factor})
+                                                     : mergeFewClosestPairs(inside, target);
       for (Index& place : results[c].places) {
         place = cells.order[first + place];
       }

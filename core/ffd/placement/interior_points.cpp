@@ -73,17 +73,26 @@ std::vector<double> sliverRadii(const SurfaceParts& parts, const PointPool& insi
   return limits;
 }
 
-/// A grid over the bounds with cells of about one size, flatter where the bounds are.
+/// A grid over the bounds with cells of one size, or smaller along an axis that has room for few.
 struct Grid {
   std::size_t counts[3];
+  Vec3 first;  ///< the middle of the first cell
   Vec3 cell;
 
-  Grid(const Bounds& bounds, double size) {
+  Grid(const Bounds& bounds, double size) : first(bounds.low), cell(Vec3::Constant(size)) {
+    constexpr double few = 4.0;
     const Vec3 extent = bounds.high - bounds.low;
     for (int axis = 0; axis < 3; ++axis) {
-      const double count = std::max(1.0, std::ceil(extent[axis] / size));
-      counts[axis] = static_cast<std::size_t>(std::min(count, 1e9));
-      cell[axis] = extent[axis] / static_cast<double>(counts[axis]);
+      double count = std::min(std::ceil(extent[axis] / size), 1e9);
+      if (extent[axis] < few * size) {
+        // Else none might lie within a thin plate.
+        count = std::max(1.0, count);
+        cell[axis] = extent[axis] / count;
+        first[axis] += 0.5 * cell[axis];
+      } else {
+        count += 1.0;
+      }
+      counts[axis] = static_cast<std::size_t>(count);
     }
   }
   double total() const {
@@ -108,9 +117,9 @@ std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsign
     const std::size_t at[3] = {i % grid.counts[0], i / grid.counts[0] % grid.counts[1],
                                i / grid.counts[0] / grid.counts[1]};
     for (int axis = 0; axis < 3; ++axis) {
-      const double shift = 0.5 * randomShare(seed, 3 * i + axis) + 0.25;
+      const double shift = 0.5 * (randomShare(seed, 3 * i + axis) - 0.5);
       points(static_cast<Index>(i), axis) =
-          bounds.low[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
+          grid.first[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
     }
   }
   const std::vector<bool> isInside = parts.insideFlags(points, progress);

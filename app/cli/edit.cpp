@@ -34,6 +34,7 @@ std::string readStandardInput() {
 }
 
 void edit(const EditCommand& command, const Progress& progress) {
+  requireProjectName(command.output);
   const bool fromInput = command.edits == "-";
   const std::string name = fromInput ? "standard input" : command.edits;
   const std::vector<Edit> edits = parseEdits(fromInput ? readStandardInput() : readFile(command.edits), name);

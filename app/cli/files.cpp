@@ -13,4 +13,21 @@ LoadedProject openProject(const std::filesystem::path& path, const Progress& pro
   return loadProject(path, progress);
 }
 
+void requireProjectName(const std::filesystem::path& output, const std::filesystem::path& input) {
+  const auto fail = [&](std::string_view why) {
+    throw InvalidInput(format("Could not write the project {}: {}. Nothing was written; name it {}.",
+                              output.string(), why, (output.parent_path() / "NAME.pbffd").string()));
+  };
+  if (output == "-") {
+    fail("a project is a file, not a stream");
+  }
+  if (formatOfEnding(output) != MeshFormat::none) {
+    fail("its ending is that of a mesh");
+  }
+  std::error_code none;
+  if (!input.empty() && std::filesystem::equivalent(output, input, none)) {
+    fail("the mesh lies there");
+  }
+}
+
 }  // namespace pbffd::cli

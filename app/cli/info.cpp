@@ -76,13 +76,14 @@ Json describeProject(const Project& project) {
   for (const Level& level : project.controls.levels) {
     levels.push_back({{"level", ++number}, {"points", level.size()}});
   }
+  const KeptCounts kept = keptCounts(project);
   return {{"kind", "project"},
           {"version", projectVersion},
           {"mesh", describeMesh(*project.mesh)},
           {"levels", levels},
-          {"curves", 0},
-          {"constraints", 0},
-          {"poses", 0},
+          {"curves", kept.curves},
+          {"constraints", kept.constraints},
+          {"poses", kept.poses},
           {"history", 0}};
 }
 

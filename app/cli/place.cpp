@@ -19,6 +19,7 @@ struct PlaceCommand {
 };
 
 void place(const PlaceCommand& command, const Progress& progress) {
+  requireProjectName(command.project, command.mesh);
   const auto mesh = std::make_shared<const RestMesh>(readMesh(command.mesh, progress));
   printRemarks(mesh->mesh().remarks);
   Place edit;
@@ -29,8 +30,12 @@ void place(const PlaceCommand& command, const Progress& progress) {
   saveProject(command.project, result.project, {}, progress);
   printRemarks(result.remarks);
   const ControlSet& controls = result.project.controls;
-  print(format("Placed {} control points on {} levels in {}.\n", grouped(controls.finest().size()),
-               controls.levels.size(), command.project.string()));
+  const auto counted = [](std::size_t count, std::string_view what) {
+    return format("{} {}{}", grouped(static_cast<std::int64_t>(count)), what, count == 1 ? "" : "s");
+  };
+  print(format("Placed {} on {} in {}.\n",
+               counted(static_cast<std::size_t>(controls.finest().size()), "control point"),
+               counted(controls.levels.size(), "level"), command.project.string()));
 }
 
 }  // namespace

@@ -12,6 +12,15 @@ namespace {
   throw InvalidInput(format("{} {} ({}, at /{}): {}", within, place + 1, nameOf(edit), place, why));
 }
 
+/// What is written has to be read again: the reader takes no identifier that other programs would round.
+void requireIdentifiers(const Project& project) {
+  if (project.nextId > greatestPointId) {
+    throw InvalidInput(format(
+        "the identifiers are used up: the next one would be {}, above the greatest, {}; give smaller ones",
+        project.nextId, greatestPointId));
+  }
+}
+
 /// The edits one after the other; `what` names one in messages.
 Project appliedInOrder(const EditScope& scope, const std::vector<Edit>& edits, const char* what) {
   Project project = scope.before;
@@ -24,6 +33,7 @@ Project appliedInOrder(const EditScope& scope, const std::vector<Edit>& edits, c
             return applied({current, scope.workspace, scope.progress, scope.remarks}, edit);
           },
           edits[i].value());
+      requireIdentifiers(project);
     } catch (const InvalidInput& error) {
       failAt(i, edits[i], what, error.what());
     }
@@ -45,6 +55,7 @@ EditResult apply(const Project& project, const Edit& edit, EditWorkspace& worksp
   EditResult result;
   const EditScope scope{project, workspace, progress, result.remarks};
   result.project = std::visit([&](const auto& one) { return applied(scope, one); }, edit.value());
+  requireIdentifiers(result.project);
   return result;
 }
 

@@ -16,9 +16,10 @@ void requireUsable(const Place& edit) {
   const int greatest = greatestLevelCount(edit.options.points);
   if (edit.options.levels > greatest) {
     throw InvalidInput(
-        format("{} points allow at most {} level{}, each with half as many as the next; {} were "
+        format("{} point{} allow{} at most {} level{}, each with half as many as the next; {} were "
                "asked for",
-               edit.options.points, greatest, greatest == 1 ? "" : "s", edit.options.levels));
+               edit.options.points, edit.options.points == 1 ? "" : "s", edit.options.points == 1 ? "s" : "",
+               greatest, greatest == 1 ? "" : "s", edit.options.levels));
   }
 }
 

@@ -150,7 +150,7 @@ Json migrated(Json json, const std::string& name) {
   if (!reader.has("format") || reader.at("format").value() != "pbffd-project") {
     reader.fail("its \"format\" is not \"pbffd-project\"");
   }
-  const std::int64_t version = reader.at("version").integer(1, std::numeric_limits<std::int32_t>::max());
+  const std::int64_t version = reader.at("version").integer(1, std::numeric_limits<std::int64_t>::max());
   if (version > presentVersion) {
     throw NewerVersion(
         format("{} was made by a newer version (file version {}, this program reads {}). Update the "

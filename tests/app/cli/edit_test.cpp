@@ -49,6 +49,17 @@ class EditTest : public QObject {
              refused.errors);
   }
 
+  void whatIsWrittenCanBeReadAgain() {
+    const test::CommandFolder folder;
+    const QString project = folder.placedSphere("a.pbffd");
+    const QByteArray before = folder.read("a.pbffd");
+    const QByteArray add = R"([{"add": {"center": [0.9, 0, 0], "id": 9007199254740991}}])";
+    const auto result = test::runPbffd({"edit", project, "--edits", "-", "-o", project}, add);
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.errors.contains("identifiers are used up"), result.errors);
+    QCOMPARE(folder.read("a.pbffd"), before);
+  }
+
   void editsFromStandardInputAreTheSame() {
     const test::CommandFolder folder;
     const QString project = folder.placedSphere("a.pbffd");

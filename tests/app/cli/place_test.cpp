@@ -11,6 +11,21 @@ class PlaceTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void aMeshIsNeverOverwritten() {
+    const test::CommandFolder folder;
+    folder.placedSphere("a.pbffd");
+    const QByteArray before = folder.read("sphere.obj");
+    for (const QString& output : {folder.path("sphere.obj"), folder.path("other.stl"), QString("-")}) {
+      const auto placed = test::runPbffd({"place", folder.path("sphere.obj"), "-o", output});
+      QCOMPARE(placed.status, 1);
+      QVERIFY2(placed.errors.contains("Nothing was written"), placed.errors);
+      const auto edited = test::runPbffd({"edit", folder.path("a.pbffd"), "--edits", "-", "-o", output}, "[]");
+      QCOMPARE(edited.status, 1);
+      QVERIFY2(edited.errors.contains("Nothing was written"), edited.errors);
+    }
+    QCOMPARE(folder.read("sphere.obj"), before);
+  }
+
   void defaultsAreTwoHundredPointsOnThreeLevels() {
     const test::CommandFolder folder;
     const QString mesh = folder.writeObj("bar.obj", test::cylinder());

@@ -87,26 +87,36 @@ struct BlockBody {
     return gap < 0.0 ? 0.0 : gap * gap;
   }
 
-  /// In the region's own frame: the nearest point of the box that encloses the turned box.
+  /// In the region's own frame: the nearest and the farthest point of the box that encloses the turned box, the
+  /// farthest moved out by the rounding of its terms.
   static unsigned meets(const double* boxes, const RegionNumbers& region) {
-    alignas(64) double squared[8];
+    alignas(64) double nearest[8];
+    alignas(64) double farthest[8];
     const double* m = region.toLocal;
     for (std::size_t k = 0; k < 8; ++k) {
       const double x = boxes[k] - region.center[0];
       const double y = boxes[8 + k] - region.center[1];
       const double z = boxes[16 + k] - region.center[2];
       const double* half = boxes + 24 + k;
-      double sum = 0.0;
+      double near = 0.0;
+      double far = 0.0;
       for (int row = 0; row < 3; ++row) {
-        sum += squaredGap(
-            m[row] * x + m[row + 3] * y + m[row + 6] * z,
-            std::abs(m[row]) * half[0] + std::abs(m[row + 3]) * half[8] + std::abs(m[row + 6]) * half[16]);
+        const double a = m[row] * x;
+        const double b = m[row + 3] * y;
+        const double c = m[row + 6] * z;
+        const double reach =
+            std::abs(m[row]) * half[0] + std::abs(m[row + 3]) * half[8] + std::abs(m[row + 6]) * half[16];
+        near += squaredGap(a + b + c, reach);
+        const double end = std::abs(a + b + c) + reach + 1e-12 * (std::abs(a) + std::abs(b) + std::abs(c));
+        far += end * end;
       }
-      squared[k] = sum;
+      nearest[k] = near;
+      farthest[k] = far;
     }
     unsigned mask = 0;
     for (unsigned k = 0; k < 8; ++k) {
-      mask |= static_cast<unsigned>(squared[k] < 1.0 + 1e-9) << k;
+      mask |= static_cast<unsigned>(nearest[k] < 1.0 + 1e-9) << k;
+      mask |= static_cast<unsigned>(farthest[k] < 1.0 - 1e-9) << (8 + k);
     }
     return mask;
   }

@@ -27,7 +27,8 @@ struct BlockKernels {
   void (*squaredDistances)(const double* points, const RegionNumbers& region, double* uSquared);
   /// Bit k: whether |u| < 1 for the k-th point.
   unsigned (*inside)(const double* points, const RegionNumbers& region);
-  /// Bit k: whether the k-th of 8 boxes may meet the region: 8 center x, y, z, 8 half x, y, z.
+  /// Of 8 boxes (8 center x, y, z, 8 half x, y, z), bit k: whether the k-th may meet the region; bit 8 + k:
+  /// whether it lies in the region, with all that inside() could be asked of its points.
   unsigned (*meets)(const double* boxes, const RegionNumbers& region);
   /// The basis values of 16 squared distances; 0 from the border on.
   void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);

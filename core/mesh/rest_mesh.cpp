@@ -31,6 +31,7 @@ struct RestMesh::Derived {
   Lazy<Points> normals;
   Lazy<Topology> topology;
   Lazy<SurfaceGraph> graph;
+  Lazy<BlockGraph> blockGraph;
   Lazy<NearestPoints> nearest;
   Lazy<std::vector<Index>> order;
 };
@@ -53,6 +54,10 @@ const Topology& RestMesh::topology() const {
 
 const SurfaceGraph& RestMesh::graph() const {
   return derived_->graph.get([&] { return SurfaceGraph(mesh_); });
+}
+
+const BlockGraph& RestMesh::blockGraph() const {
+  return derived_->blockGraph.get([&] { return BlockGraph(graph(), mortonOrder()); });
 }
 
 const NearestPoints& RestMesh::nearestVertex() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/block_graph.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/nearest.h"
 #include "core/mesh/normals.h"
@@ -29,6 +30,8 @@ class RestMesh {
   const Points& normals() const;
   const Topology& topology() const;
   const SurfaceGraph& graph() const;
+  /// graph() over the blocks of 16 of mortonOrder().
+  const BlockGraph& blockGraph() const;
   const NearestPoints& nearestVertex() const;
 
   /// All vertices in Morton order: mortonOrder()[slot] = vertex. What is near in space is near in memory,

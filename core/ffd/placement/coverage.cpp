@@ -1,7 +1,7 @@
 #include "core/ffd/placement/coverage.h"
 
 #include "core/base/parallel.h"
-#include "core/ffd/weights/membership.h"
+#include "core/ffd/weights/reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ class Cover {
       : points_(points),
         mesh_(mesh),
         blocks_(mesh.positions(), mesh.mortonOrder()),
-        walks_(mesh.graph(), mesh.vertexCount()),
+        walks_(mesh),
         isReached_(static_cast<std::size_t>(blocks_.blockCount()), 0) {}
 
   void coverAll(const Progress& progress) {
@@ -55,17 +55,7 @@ class Cover {
 
  private:
   /// The vertices that a point counts.
-  Membership reachedBy(const ControlPoint& point) {
-    const std::vector<Index>& order = mesh_.mortonOrder();
-    const Region region(point.rest);
-    Membership members = pointsInside(blocks_, region);
-    if (point.reach == Reach::connected && !members.blocks.empty()) {
-      auto walk = walks_.take();
-      startWalk(*walk, blocks_, order, region, members);
-      members = countedBy(*walk, members, order);
-    }
-    return members;
-  }
+  Membership reachedBy(const ControlPoint& point) { return pbffd::reachedBy(point, blocks_, walks_); }
 
   std::vector<Membership> reachedByEach(const Progress& progress) {
     std::vector<Membership> reached(points_.size());

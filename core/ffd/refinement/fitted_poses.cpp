@@ -3,7 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/ffd/deform/deformation.h"
 #include "core/ffd/deform/space_deformation.h"
-#include "core/ffd/weights/membership.h"
+#include "core/ffd/weights/reach.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -66,7 +66,7 @@ class Fit {
         space_(mesh, set, ReachRule::asStored, progress),
         before_(deformed(set)),
         blocks_(mesh_.positions(), mesh_.mortonOrder()),
-        walks_(mesh_.graph(), mesh_.vertexCount()),
+        walks_(mesh_),
         reached_(points_.size()) {}
 
   FittedPoints within(double allowed) {
@@ -160,13 +160,7 @@ class Fit {
   /// The vertices that the point counts, ascending.
   std::vector<Index> reachedBy(const ControlPoint& point) {
     const std::vector<Index>& order = mesh_.mortonOrder();
-    const Region region(point.rest);
-    Membership members = pointsInside(blocks_, region);
-    if (point.reach == Reach::connected && !members.blocks.empty()) {
-      const ReachWalks::Loan walk = walks_.take();
-      startWalk(*walk, blocks_, order, region, members);
-      members = countedBy(*walk, members, order);
-    }
+    const Membership members = pbffd::reachedBy(point, blocks_, walks_);
     std::vector<Index> vertices;
     for (std::size_t e = 0; e < members.blocks.size(); ++e) {
       for (Index k = 0; k < PointBlocks::blockSize; ++k) {

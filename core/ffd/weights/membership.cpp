@@ -3,19 +3,10 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 namespace pbffd {
 namespace {
-
-/// Calls visit(slot) for each member, ascending.
-template <class Visit>
-void forEachMember(Index block, std::uint16_t members, const Visit& visit) {
-  for (unsigned left = members; left != 0; left &= left - 1) {
-    visit(block * PointBlocks::blockSize + std::countr_zero(left));
-  }
-}
 
 /// Calls visit(entry of the membership) for those in blocks [begin, end).
 template <class Visit>
@@ -30,44 +21,13 @@ void forEachEntry(const Membership& membership, Index begin, Index end, const Vi
 
 Membership pointsInside(const PointBlocks& blocks, const Region& region) {
   Membership inside;
-  for (const Index block : blocks.blocksNear(region)) {
-    if (const std::uint16_t mask = blocks.inside(block, region); mask != 0) {
+  blocks.forEachNear(region, [&](Index block, bool isWhole) {
+    if (const std::uint16_t mask = isWhole ? blocks.all(block) : blocks.inside(block, region); mask != 0) {
       inside.blocks.push_back(block);
       inside.members.push_back(mask);
     }
-  }
+  });
   return inside;
-}
-
-void startWalk(ReachWalk& walk, const PointBlocks& blocks, const std::vector<Index>& vertexOfSlot,
-               const Region& region, const Membership& inside) {
-  std::vector<Index> vertices;
-  std::vector<double> uSquared;
-  for (std::size_t e = 0; e < inside.blocks.size(); ++e) {
-    const Lanes squared = blocks.squaredDistances(inside.blocks[e], region);
-    forEachMember(inside.blocks[e], inside.members[e], [&](Index slot) {
-      vertices.push_back(vertexOfSlot[static_cast<std::size_t>(slot)]);
-      uSquared.push_back(squared[static_cast<std::size_t>(slot % PointBlocks::blockSize)]);
-    });
-  }
-  walk.start(vertices, uSquared);
-}
-
-Membership countedBy(const ReachWalk& walk, const Membership& membership,
-                     const std::vector<Index>& vertexOfSlot) {
-  Membership counted;
-  for (std::size_t e = 0; e < membership.blocks.size(); ++e) {
-    unsigned mask = 0;
-    forEachMember(membership.blocks[e], membership.members[e], [&](Index slot) {
-      mask |= static_cast<unsigned>(walk.counts(vertexOfSlot[static_cast<std::size_t>(slot)]))
-              << (slot % PointBlocks::blockSize);
-    });
-    if (mask != 0) {
-      counted.blocks.push_back(membership.blocks[e]);
-      counted.members.push_back(static_cast<std::uint16_t>(mask));
-    }
-  }
-  return counted;
 }
 
 BlockLists listsOf(const std::vector<Membership>& memberships, Index blockCount) {

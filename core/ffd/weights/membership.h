@@ -2,7 +2,6 @@
 
 #include "core/ffd/weights/level_values.h"
 #include "core/ffd/weights/point_blocks.h"
-#include "core/ffd/weights/reach.h"
 
 #include <cstdint>
 #include <vector>
@@ -17,14 +16,6 @@ struct Membership {
 
 /// The points in the region.
 Membership pointsInside(const PointBlocks& blocks, const Region& region);
-
-/// Starts the walk in the region whose mesh vertices are `inside`. vertexOfSlot: the order of the blocks.
-void startWalk(ReachWalk& walk, const PointBlocks& blocks, const std::vector<Index>& vertexOfSlot,
-               const Region& region, const Membership& inside);
-
-/// Leaves of `membership` the points whose vertex counts in the region that the walk was started in.
-Membership countedBy(const ReachWalk& walk, const Membership& membership,
-                     const std::vector<Index>& vertexOfSlot);
 
 /// The memberships of a level the other way about: for each block the control points that move any of its
 /// points, ascending.

@@ -1,10 +1,8 @@
 #include "core/ffd/weights/parameterization.h"
 
 #include "core/base/parallel.h"
-#include "core/ffd/weights/membership.h"
+#include "core/ffd/weights/reach.h"
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace pbffd {
@@ -16,28 +14,13 @@ constexpr std::size_t blockGrain = 64;
 std::vector<Membership> vertexMemberships(const RestMesh& mesh, const PointBlocks& blocks, const Level& level,
                                           const Progress& progress) {
   const auto count = static_cast<std::size_t>(level.size());
-  const std::vector<Index>& order = mesh.mortonOrder();
-  const bool walks = std::any_of(level.begin(), level.end(), [](const ControlPoint& point) {
-    return point.enabled && point.reach == Reach::connected;
-  });
-  std::optional<ReachWalks> pool;
-  if (walks) {
-    pool.emplace(mesh.graph(), mesh.vertexCount());
-  }
+  ReachWalks walks(mesh);
   std::vector<Membership> memberships(count);
   parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       progress.throwIfCancelled();
-      const ControlPoint& point = level[static_cast<Index>(j)];
-      if (!point.enabled) {
-        continue;
-      }
-      const Region region(point.rest);
-      memberships[j] = pointsInside(blocks, region);
-      if (point.reach == Reach::connected && !memberships[j].blocks.empty()) {
-        const ReachWalks::Loan walk = pool->take();
-        startWalk(*walk, blocks, order, region, memberships[j]);
-        memberships[j] = countedBy(*walk, memberships[j], order);
+      if (const ControlPoint& point = level[static_cast<Index>(j)]; point.enabled) {
+        memberships[j] = reachedBy(point, blocks, walks);
       }
     }
   });
@@ -88,30 +71,6 @@ Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Ma
                 }
               });
   return result;
-}
-
-Reached reachedVertices(const RestMesh& mesh, const ControlPoint& point) {
-  const Region region(point.rest);
-  Reached inside;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (const double squared = region.squaredDistance(mesh.positions().row(v)); squared < 1.0) {
-      inside.vertices.push_back(v);
-      inside.uSquared.push_back(squared);
-    }
-  }
-  if (point.reach == Reach::all || inside.vertices.empty()) {
-    return inside;
-  }
-  ReachWalk walk(mesh.graph(), mesh.vertexCount());
-  walk.start(inside.vertices, inside.uSquared);
-  Reached reached;
-  for (std::size_t i = 0; i < inside.vertices.size(); ++i) {
-    if (walk.counts(inside.vertices[i])) {
-      reached.vertices.push_back(inside.vertices[i]);
-      reached.uSquared.push_back(inside.uSquared[i]);
-    }
-  }
-  return reached;
 }
 
 }  // namespace pbffd

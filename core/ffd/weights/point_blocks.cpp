@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 namespace pbffd {
@@ -46,6 +45,9 @@ Vec3 PointBlocks::Boxes::high(std::size_t k) const {
 PointBlocks::PointBlocks(const Points& points, const std::vector<Index>& order) {
   const std::size_t blocks = (order.size() + blockSize - 1) / blockSize;
   coordinates_.resize(48 * blocks);
+  if (const std::size_t rest = order.size() % blockSize; rest != 0) {
+    allOfLast_ = static_cast<std::uint16_t>((1U << rest) - 1);
+  }
   levels_.emplace_back((blocks + eight - 1) / eight);
   for (Boxes& boxes : levels_[0]) {
     boxes.numbers.fill(std::numeric_limits<double>::quiet_NaN());
@@ -109,25 +111,9 @@ std::uint16_t PointBlocks::inside(Index block, const Region& region) const {
       blockKernels().inside(&coordinates_[48 * static_cast<std::size_t>(block)], region.numbers()));
 }
 
-void PointBlocks::collect(const Region& region, std::size_t level, Index boxes,
-                          std::vector<Index>& found) const {
-  const Boxes& eightBoxes = levels_[level][static_cast<std::size_t>(boxes)];
-  for (unsigned left = blockKernels().meets(eightBoxes.numbers.data(), region.numbers()); left != 0;
-       left &= left - 1) {
-    const Index box = boxes * static_cast<Index>(eight) + std::countr_zero(left);
-    if (level == 0) {
-      found.push_back(box);
-    } else {
-      collect(region, level - 1, box, found);
-    }
-  }
-}
-
 std::vector<Index> PointBlocks::blocksNear(const Region& region) const {
   std::vector<Index> found;
-  if (!levels_.back().empty()) {
-    collect(region, levels_.size() - 1, 0, found);
-  }
+  forEachNear(region, [&](Index block, bool) { found.push_back(block); });
   return found;
 }
 

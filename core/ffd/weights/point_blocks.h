@@ -3,7 +3,9 @@
 #include "core/ffd/basis.h"
 #include "core/ffd/weights/large_array.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -33,7 +35,18 @@ class PointBlocks {
     return {at[k], at[blockSize + k], at[2 * blockSize + k]};
   }
 
-  /// The blocks that may have a point in the region, ascending: all that have one, and a few more.
+  /// Bit k: whether the block has a k-th point; all but in the last block.
+  std::uint16_t all(Index block) const { return block + 1 < blockCount() ? std::uint16_t{0xffff} : allOfLast_; }
+
+  /// Calls visit(block, isWhole) for the blocks that may have a point in the region, ascending: all that have
+  /// one, and a few more. isWhole: inside() would say that all of its points are in the region.
+  template <class Visit>
+  void forEachNear(const Region& region, const Visit& visit) const {
+    if (!levels_.back().empty()) {
+      descend(region, levels_.size() - 1, 0, visit);
+    }
+  }
+  /// The blocks of forEachNear().
   std::vector<Index> blocksNear(const Region& region) const;
 
  private:
@@ -45,11 +58,31 @@ class PointBlocks {
     Vec3 low(std::size_t k) const;
     Vec3 high(std::size_t k) const;
   };
-  void collect(const Region& region, std::size_t level, Index boxes, std::vector<Index>& found) const;
+
+  template <class Visit>
+  void descend(const Region& region, std::size_t level, Index boxes, const Visit& visit) const {
+    const unsigned found =
+        blockKernels().meets(levels_[level][static_cast<std::size_t>(boxes)].numbers.data(), region.numbers());
+    for (unsigned left = found & 0xffU; left != 0; left &= left - 1) {
+      const int k = std::countr_zero(left);
+      const Index box = 8 * boxes + k;
+      if ((found >> (8 + k) & 1U) != 0) {
+        const std::int64_t end = std::int64_t{box + 1} << 3 * level;
+        for (Index block = box << 3 * level; block < std::min<std::int64_t>(end, blockCount()); ++block) {
+          visit(block, true);
+        }
+      } else if (level == 0) {
+        visit(box, false);
+      } else {
+        descend(region, level - 1, box, visit);
+      }
+    }
+  }
   void fillBlock(const Points& points, const std::vector<Index>& order, std::size_t block);
   void buildTree();
 
-  LargeArray<double> coordinates_;          ///< a block's 16 x, 16 y, 16 z
+  LargeArray<double> coordinates_;  ///< a block's 16 x, 16 y, 16 z
+  std::uint16_t allOfLast_ = 0xffff;
   std::vector<std::vector<Boxes>> levels_;  ///< levels_[0]: the blocks' boxes; each next: those of eights below
 };
 

@@ -1,6 +1,6 @@
 #include "core/base/parallel.h"
-#include "core/ffd/weights/membership.h"
 #include "core/ffd/weights/parameterization.h"
+#include "core/ffd/weights/reach.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,7 @@ namespace {
 struct FreePoints {
   std::vector<Index> order;
   PointBlocks blocks;
-  std::vector<Index> nearestVertex;  ///< one a slot; empty where no reach asks for it
+  std::vector<Index> nearestSlot;  ///< one a slot: that of the nearest vertex; empty where no reach asks for it
 
   explicit FreePoints(const Points& at) : order(orderOf(at)), blocks(at, order) {}
 
@@ -23,23 +23,52 @@ struct FreePoints {
     return RestMesh(std::move(cloud)).mortonOrder();
   }
 
-  void findNearest(const NearestPoints& vertices) {
-    nearestVertex.resize(order.size());
+  void findNearest(const RestMesh& mesh) {
+    const std::vector<Index> slotOf = inverse(mesh.mortonOrder());
+    const NearestPoints& vertices = mesh.nearestVertex();
+    nearestSlot.resize(order.size());
     parallelFor(order.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t slot = begin; slot < end; ++slot) {
         const auto block = static_cast<Index>(slot / PointBlocks::blockSize);
         const auto k = static_cast<Index>(slot % PointBlocks::blockSize);
-        nearestVertex[slot] = vertices.nearest(blocks.point(block, k)).index;
+        nearestSlot[slot] = slotOf[static_cast<std::size_t>(vertices.nearest(blocks.point(block, k)).index)];
       }
     });
   }
+
+ private:
+  static std::vector<Index> inverse(const std::vector<Index>& order) {
+    std::vector<Index> slotOf(order.size());
+    for (std::size_t slot = 0; slot < order.size(); ++slot) {
+      slotOf[static_cast<std::size_t>(order[slot])] = static_cast<Index>(slot);
+    }
+    return slotOf;
+  }
 };
+
+/// Those of the members whose nearest vertex counts in the region that the walk was started in.
+Membership countedBy(const ReachWalk& walk, const Membership& membership,
+                     const std::vector<Index>& nearestSlot) {
+  Membership counted;
+  for (std::size_t e = 0; e < membership.blocks.size(); ++e) {
+    unsigned mask = 0;
+    for (unsigned left = membership.members[e]; left != 0; left &= left - 1) {
+      const Index slot = membership.blocks[e] * PointBlocks::blockSize + std::countr_zero(left);
+      mask |= (left & -left) * static_cast<unsigned>(walk.counts(nearestSlot[static_cast<std::size_t>(slot)]));
+    }
+    if (mask != 0) {
+      counted.blocks.push_back(membership.blocks[e]);
+      counted.members.push_back(static_cast<std::uint16_t>(mask));
+    }
+  }
+  return counted;
+}
 
 /// Leaves the points that count, point by point of the level, where the reach is `connected`.
 void restrictToReach(std::vector<Membership>& memberships, const FreePoints& free, const RestMesh& mesh,
                      const Level& level, const Progress& progress) {
   const PointBlocks vertexBlocks(mesh.positions(), mesh.mortonOrder());
-  ReachWalks pool(mesh.graph(), mesh.vertexCount());
+  ReachWalks pool(mesh);
   parallelFor(memberships.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       const ControlPoint& point = level[static_cast<Index>(j)];
@@ -49,8 +78,8 @@ void restrictToReach(std::vector<Membership>& memberships, const FreePoints& fre
       progress.throwIfCancelled();
       const Region region(point.rest);
       const ReachWalks::Loan walk = pool.take();
-      startWalk(*walk, vertexBlocks, mesh.mortonOrder(), region, pointsInside(vertexBlocks, region));
-      memberships[j] = countedBy(*walk, memberships[j], free.nearestVertex);
+      walk->start(vertexBlocks, region, pointsInside(vertexBlocks, region));
+      memberships[j] = countedBy(*walk, memberships[j], free.nearestSlot);
     }
   });
 }
@@ -70,7 +99,7 @@ std::vector<Membership> freeMemberships(FreePoints& free, const RestMesh& mesh, 
     return point.enabled && point.reach == Reach::connected;
   });
   if (walks && mesh.vertexCount() > 0 && !free.order.empty()) {
-    free.findNearest(mesh.nearestVertex());
+    free.findNearest(mesh);
     restrictToReach(memberships, free, mesh, level, progress);
   }
   return memberships;

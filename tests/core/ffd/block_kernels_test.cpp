@@ -86,16 +86,50 @@ class BlockKernelsTest : public QObject {
         }
       }
       boxes[5] = std::numeric_limits<double>::quiet_NaN();
-      const unsigned met = variants().front()->meets(boxes.data(), region.numbers());
+      const unsigned met = variants().front()->meets(boxes.data(), region.numbers()) & 0xffU;
       QCOMPARE(met, 0xffU & ~(1U << 5U));
       boxes[0] += 50.0;
       for (const BlockKernels* kernels : variants()) {
-        const unsigned farther = kernels->meets(boxes.data(), region.numbers());
+        const unsigned farther = kernels->meets(boxes.data(), region.numbers()) & 0xffU;
         QCOMPARE(farther, 0xfeU & ~(1U << 5U));
         missed += farther != met;
       }
     }
     QVERIFY(missed > 0);
+  }
+
+  void boxesInARegionHoldOnlyPointsInside() {
+    int whole = 0;
+    for (int turn = 0; turn < 300; ++turn) {
+      const Frame rest = frame();
+      const Region region(rest);
+      std::array<double, 48> boxes{};
+      for (std::size_t k = 0; k < 8; ++k) {
+        const Vec3 center = rest.center + rest.axes * Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          boxes[8 * axis + k] = center[static_cast<Eigen::Index>(axis)];
+          boxes[24 + 8 * axis + k] = uniform(0, 0.2) * rest.axes.col(0).norm();
+        }
+      }
+      const unsigned found = variants().front()->meets(boxes.data(), region.numbers());
+      for (const BlockKernels* kernels : variants()) {
+        QCOMPARE(kernels->meets(boxes.data(), region.numbers()), found);
+      }
+      QCOMPARE((found >> 8U) & ~found, 0U);
+      for (std::size_t k = 0; k < 8; ++k) {
+        for (unsigned corner = 0; corner < 8 && (found >> (8 + k) & 1U) != 0; ++corner) {
+          Vec3 at;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double half = boxes[24 + 8 * axis + k];
+            at[static_cast<Eigen::Index>(axis)] =
+                boxes[8 * axis + k] + ((corner >> axis & 1U) != 0 ? half : -half);
+          }
+          QVERIFY(region.squaredDistance(at) < 1.0);
+          ++whole;
+        }
+      }
+    }
+    QVERIFY(whole > 1000);
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 
 namespace pbffd {
 
@@ -54,6 +55,31 @@ class PointBlocksTest : public QObject {
       }
     }
     QVERIFY(looked < blocks.blockCount() * scene.set.finest().size() / 5);
+  }
+
+  void wholeBlocksAreInside_data() { blocksNearHoldEveryPointOfTheRegion_data(); }
+
+  void wholeBlocksAreInside() {
+    QFETCH(double, scale);
+    QFETCH(double, shift);
+    // As many vertices as leave the last block in part empty.
+    const test::Scene scene(test::placedAt(test::sphere(60, 81), scale, Vec3::Constant(shift)), 20, 0.4);
+    const PointBlocks blocks(scene.mesh->positions(), scene.mesh->mortonOrder());
+    QVERIFY(blocks.all(blocks.blockCount() - 1) != 0xffff);
+    std::set<Index> whole;
+    for (const ControlPoint& point : scene.set.finest()) {
+      const Region region(point.rest);
+      Index last = -1;
+      blocks.forEachNear(region, [&](Index block, bool isWhole) {
+        QVERIFY(block > last);
+        last = block;
+        if (isWhole) {
+          QCOMPARE(blocks.inside(block, region), blocks.all(block));
+          whole.insert(block);
+        }
+      });
+    }
+    QVERIFY(static_cast<Index>(whole.size()) > blocks.blockCount() / 3);
   }
 
   void noPointsMakeNoBlocks() {

@@ -93,9 +93,10 @@ void Actions::makeGroups() {
       made->addAction(actions_[static_cast<std::size_t>(id)]);
     }
   };
-  group(ActionId::toolSelect, ActionId::toolScale);
+  group(ActionId::toolSelect, ActionId::toolAdd);
   group(ActionId::level1, ActionId::level9);
   group(ActionId::displayShaded, ActionId::displaySeeThrough);
+  group(ActionId::hierarchyNone, ActionId::hierarchyAll);
   group(ActionId::themeSystem, ActionId::themeLight);
 }
 
@@ -183,6 +184,8 @@ void Actions::refresh() {
 void Actions::synchronizeChecks() {
   const auto mode = static_cast<std::size_t>(view_.displayMode());
   actions_[static_cast<std::size_t>(ActionId::displayShaded) + mode]->setChecked(true);
+  const auto hierarchy = static_cast<std::size_t>(view_.hierarchy());
+  actions_[static_cast<std::size_t>(ActionId::hierarchyNone) + hierarchy]->setChecked(true);
   (*this)[ActionId::showGhost]->setChecked(view_.isGhostShown());
   (*this)[ActionId::showRegions]->setChecked(view_.regions() == RegionDisplay::level);
   (*this)[ActionId::showGrid]->setChecked(view_.isGridShown());

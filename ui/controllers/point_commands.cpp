@@ -2,6 +2,7 @@
 
 #include "ui/controllers/actions.h"
 #include "ui/document/document.h"
+#include "ui/document/hierarchy_links.h"
 #include "ui/document/view_state.h"
 
 #include <algorithm>
@@ -70,6 +71,13 @@ void PointCommands::connectEdits(Actions& actions) {
   on(ActionId::resetAll, [this] { document_.perform(Reset{}); });
   // Many points of a large mesh take a while.
   on(ActionId::refineHere, [this] { document_.performInBackground(Refine{selected()}); });
+  // Levels over many points take a while too.
+  const auto changeLevels = [this](int by) {
+    const auto count = static_cast<int>(document_.committed().controls.levels.size());
+    document_.performInBackground(SetLevels{count + by});
+  };
+  on(ActionId::addCoarserLevel, [changeLevels] { changeLevels(1); });
+  on(ActionId::removeCoarsestLevel, [changeLevels] { changeLevels(-1); });
   on(ActionId::poseToRest, [this] { poseToRest(); });
 }
 
@@ -95,6 +103,13 @@ void PointCommands::connectView(Actions& actions) {
     const bool all = view_.regions() == RegionDisplay::level;
     view_.setRegions(all ? RegionDisplay::selection : RegionDisplay::level);
   });
+  on(ActionId::hierarchyNone, [this] { view_.setHierarchy(HierarchyDisplay::none); });
+  // A key that shows it also takes it away.
+  const auto switchTo = [this](HierarchyDisplay wanted) {
+    view_.setHierarchy(view_.hierarchy() == wanted ? HierarchyDisplay::none : wanted);
+  };
+  on(ActionId::hierarchySelection, [switchTo] { switchTo(HierarchyDisplay::selection); });
+  on(ActionId::hierarchyAll, [switchTo] { switchTo(HierarchyDisplay::all); });
   on(ActionId::orthographic, [this] { view_.setOrthographic(!view_.isOrthographic()); });
 }
 
@@ -103,29 +118,18 @@ void PointCommands::moveLevel(int by) {
   document_.selection().setLevel(std::clamp(document_.selection().level() + by, 1, levels));
 }
 
-/// The points of the next finer level (1) that the selected ones were merged from, or those of the next
-/// coarser one (-1) that were merged from them; the edit level changes with the selection.
+/// Children (1) or parents (-1) of the selected points; the edit level changes with the selection.
 void PointCommands::selectRelated(int levelStep) {
-  const auto& levels = document_.shown().controls.levels;
-  const int target = document_.selection().level() + levelStep;
-  if (target < 1 || target > static_cast<int>(levels.size())) {
+  const ControlSet& set = document_.shown().controls;
+  Selection& selection = document_.selection();
+  const int target = selection.level() + levelStep;
+  if (target < 1 || target > static_cast<int>(set.levels.size())) {
     return;
   }
-  const std::unordered_set<PointId> present(document_.selection().points().begin(),
-                                            document_.selection().points().end());
-  const Level& coarser = levels[static_cast<std::size_t>(std::min(target, target - levelStep) - 1)];
-  std::vector<PointId> related;
-  for (const ControlPoint& parent : coarser) {
-    for (const PointId child : parent.mergedFrom) {
-      if (levelStep > 0 && child != 0 && present.contains(parent.id)) {
-        related.push_back(child);
-      } else if (levelStep < 0 && present.contains(child) && (related.empty() || related.back() != parent.id)) {
-        related.push_back(parent.id);
-      }
-    }
-  }
-  document_.selection().setLevel(target);
-  document_.selection().replace(std::move(related));
+  std::vector<PointId> related = levelStep > 0 ? childrenOf(set, selection.level(), selection.points())
+                                               : parentsOf(set, selection.level(), selection.points());
+  selection.setLevel(target);
+  selection.replace(std::move(related));
 }
 
 /// Goes through the points in the order of their level, around at the end.

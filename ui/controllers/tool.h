@@ -8,7 +8,7 @@
 
 namespace pbffd::ui {
 
-enum class ToolId { select, move, rotate, scale };
+enum class ToolId { select, move, rotate, scale, add };
 
 /// What the left button and the keys do in the view while this tool is active. Handlers return whether the
 /// event is used up; what is not goes on to the camera and the window.

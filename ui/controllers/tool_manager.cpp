@@ -1,5 +1,6 @@
 #include "ui/controllers/tool_manager.h"
 
+#include "ui/controllers/add_tool.h"
 #include "ui/controllers/transform_tool.h"
 #include "ui/document/document.h"
 #include "ui/views/viewport.h"
@@ -13,6 +14,7 @@ ToolManager::ToolManager(Document& document, Viewport& viewport, const Theme& th
   tools_[ToolId::move] = std::make_unique<TransformTool>(context, GizmoKind::move);
   tools_[ToolId::rotate] = std::make_unique<TransformTool>(context, GizmoKind::rotate);
   tools_[ToolId::scale] = std::make_unique<TransformTool>(context, GizmoKind::scale);
+  tools_[ToolId::add] = std::make_unique<AddTool>(context);
   for (const auto& [id, tool] : tools_) {
     connect(tool.get(), &Tool::hintChanged, this, [this, changed = tool.get()](const QString& hint) {
       if (changed == active_) {
@@ -49,7 +51,8 @@ void ToolManager::setActive(ToolId id) {
 void ToolManager::trigger(ToolId id) {
   active_->cancel();
   setActive(id);
-  if (id != ToolId::select && static_cast<SelectTool*>(active_)->startModal(cursor_)) {
+  auto* const transforming = dynamic_cast<TransformTool*>(active_);
+  if (transforming != nullptr && transforming->startModal(cursor_)) {
     // The keys that follow (an axis, a number, Enter) are the gesture's, wherever the focus was.
     viewport_.surface()->setFocus(Qt::ShortcutFocusReason);
   }
@@ -82,6 +85,9 @@ bool ToolManager::filterKey(QKeyEvent& event) {
       return true;
     case Qt::Key_S:
       trigger(ToolId::scale);
+      return true;
+    case Qt::Key_A:
+      trigger(ToolId::add);
       return true;
     default:
       return false;

@@ -273,6 +273,8 @@ void Document::selectEdited() {
 /// does.
 void Document::followSelection(const Project& before) {
   const auto& levels = shown().controls.levels;
+  // Levels come and go at the coarse end, where their numbers begin.
+  selection_->renumberLevels(static_cast<int>(levels.size()) - static_cast<int>(before.controls.levels.size()));
   std::vector<std::unordered_set<PointId>> existing(levels.size());
   for (std::size_t l = 0; l < levels.size(); ++l) {
     for (const ControlPoint& point : levels[l]) {
@@ -283,10 +285,7 @@ void Document::followSelection(const Project& before) {
     return level >= 1 && level <= static_cast<int>(existing.size()) &&
            existing[static_cast<std::size_t>(level - 1)].contains(point);
   });
-  const int finest = static_cast<int>(levels.size());
-  if (selection_->level() > finest || selection_->level() == static_cast<int>(before.controls.levels.size())) {
-    selection_->setLevel(finest);
-  }
+  selection_->setLevel(std::min(selection_->level(), static_cast<int>(levels.size())));
 }
 
 }  // namespace pbffd::ui

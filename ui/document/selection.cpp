@@ -75,6 +75,22 @@ void Selection::keepOnly(const std::function<bool(int level, PointId point)>& ex
   }
 }
 
+void Selection::renumberLevels(int by) {
+  if (by == 0) {
+    return;
+  }
+  std::map<int, std::vector<PointId>> renumbered;
+  for (auto& [level, points] : pointsOfLevel_) {
+    if (level + by >= 1) {
+      renumbered[level + by] = std::move(points);
+    }
+  }
+  pointsOfLevel_ = std::move(renumbered);
+  level_ = std::max(level_ + by, 1);
+  Q_EMIT levelChanged(level_);
+  Q_EMIT changed();
+}
+
 void Selection::reset(int level) {
   pointsOfLevel_.clear();
   const bool moved = level_ != level;

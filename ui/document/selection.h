@@ -37,6 +37,8 @@ class Selection : public QObject {
 
   /// Forgets points that are gone: `existing(level, point)` tells.
   void keepOnly(const std::function<bool(int level, PointId point)>& existing);
+  /// The numbers of all levels change by this: coarser ones came (above 0) or went.
+  void renumberLevels(int by);
   /// Forgets everything (another document).
   void reset(int level);
 

@@ -33,6 +33,12 @@ void ViewState::setRegions(RegionDisplay regions) {
   }
 }
 
+void ViewState::setHierarchy(HierarchyDisplay hierarchy) {
+  if (assign(hierarchy_, hierarchy)) {
+    Q_EMIT changed();
+  }
+}
+
 void ViewState::setGridShown(bool shown) {
   if (assign(gridShown_, shown)) {
     Q_EMIT changed();
@@ -117,6 +123,7 @@ QByteArray ViewState::toJson() const {
   QJsonObject object;
   object["mode"] = static_cast<int>(displayMode_);
   object["regions"] = static_cast<int>(regions_);
+  object["hierarchy"] = static_cast<int>(hierarchy_);
   object["grid"] = gridShown_;
   object["names"] = namesShown_;
   object["orthographic"] = orthographic_;
@@ -140,6 +147,8 @@ void ViewState::restore(const QByteArray& json) {
   displayMode_ =
       static_cast<DisplayMode>(std::clamp(object["mode"].toInt(static_cast<int>(displayMode_)), 0, 2));
   regions_ = static_cast<RegionDisplay>(std::clamp(object["regions"].toInt(static_cast<int>(regions_)), 0, 2));
+  hierarchy_ =
+      static_cast<HierarchyDisplay>(std::clamp(object["hierarchy"].toInt(static_cast<int>(hierarchy_)), 0, 2));
   gridShown_ = object["grid"].toBool(gridShown_);
   namesShown_ = object["names"].toBool(namesShown_);
   orthographic_ = object["orthographic"].toBool(orthographic_);

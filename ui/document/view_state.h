@@ -12,6 +12,8 @@ namespace pbffd::ui {
 
 enum class DisplayMode { shaded, wire, seeThrough };
 enum class RegionDisplay { none, selection, level };
+/// Lines from merged points to what they stand for.
+enum class HierarchyDisplay { none, selection, all };
 
 /// How the document is looked at: never undoable, saved with the project beside it.
 class ViewState : public QObject {
@@ -24,6 +26,8 @@ class ViewState : public QObject {
   void setDisplayMode(DisplayMode mode);
   RegionDisplay regions() const { return regions_; }
   void setRegions(RegionDisplay regions);
+  HierarchyDisplay hierarchy() const { return hierarchy_; }
+  void setHierarchy(HierarchyDisplay hierarchy);
   bool isGridShown() const { return gridShown_; }
   void setGridShown(bool shown);
   bool isGhostShown() const { return ghostShown_; }
@@ -59,6 +63,7 @@ class ViewState : public QObject {
  private:
   DisplayMode displayMode_ = DisplayMode::wire;
   RegionDisplay regions_ = RegionDisplay::selection;
+  HierarchyDisplay hierarchy_ = HierarchyDisplay::none;
   bool gridShown_ = true;
   bool ghostShown_ = false;
   bool namesShown_ = false;

@@ -38,7 +38,8 @@ SceneModel::SceneModel(Document& document, ViewState& view, QObject* parent)
     : QAbstractItemModel(parent), document_(document), switches_(document, view, rows_) {
   connect(&document, &Document::opened, this, &SceneModel::reset);
   connect(&document, &Document::changed, this, &SceneModel::update);
-  connect(&document.selection(), &Selection::levelChanged, this, &SceneModel::refreshAll);
+  connect(&document.selection(), &Selection::levelChanged, this, &SceneModel::findRelatives);
+  connect(&document.selection(), &Selection::changed, this, &SceneModel::findRelatives);
   connect(&view, &ViewState::changed, this, &SceneModel::refreshAll);
   reset();
 }
@@ -50,7 +51,15 @@ const ControlSet& SceneModel::controls() const {
 void SceneModel::reset() {
   beginResetModel();
   rows_ = document_.isOpen() ? SceneRows(controls(), filter_) : SceneRows();
+  relatives_ = document_.isOpen() ? SceneRelatives(controls(), document_.selection()) : SceneRelatives();
   endResetModel();
+}
+
+void SceneModel::findRelatives() {
+  if (document_.isOpen()) {
+    relatives_ = SceneRelatives(controls(), document_.selection());
+    refreshAll();
+  }
 }
 
 void SceneModel::setFilter(const QString& text) {
@@ -246,6 +255,36 @@ QString SceneModel::countOf(const Place& place) const {
   }
 }
 
+Relation SceneModel::relationOf(const Place& place) const {
+  switch (place.row) {
+    case Row::point:
+      return relatives_.of(place.level, pointAt(place).id);
+    case Row::group:
+      return relatives_.count(place.level, place.kind) > 0 ? relatives_.onLevel(place.level) : Relation::none;
+    case Row::level:
+      return relatives_.onLevel(place.level);
+    default:
+      return Relation::none;
+  }
+}
+
+QString SceneModel::detailOf(const Place& place) const {
+  const Relation relation = relationOf(place);
+  if (place.row == Row::group && relation != Relation::none) {
+    const int count = relatives_.count(place.level, place.kind);
+    return relation == Relation::parent ? (count == 1 ? tr("1 parent") : tr("%1 parents").arg(number(count)))
+                                        : (count == 1 ? tr("1 child") : tr("%1 children").arg(number(count)));
+  }
+  QStringList words;
+  if (place.row == Row::point && !pointAt(place).name.empty()) {
+    words += QString::number(pointAt(place).id);
+  }
+  if (place.row == Row::point && relation != Relation::none) {
+    words += relation == Relation::parent ? tr("parent") : tr("child");
+  }
+  return words.join(", ");
+}
+
 QVariant SceneModel::checkOf(const Place& place, int column) const {
   const auto state = [](bool on) { return QVariant(on ? Qt::Checked : Qt::Unchecked); };
   switch (column) {
@@ -283,12 +322,13 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const {
     case kindRole:
       return place.row == Row::point || place.row == Row::group ? static_cast<int>(place.kind) : -1;
     case detailRole:
-      return place.row == Row::point && !pointAt(place).name.empty() ? QString::number(pointAt(place).id)
-                                                                     : QString();
+      return detailOf(place);
     case isEditLevelRole:
       return place.row == Row::level && place.level == document_.editLevel();
     case isDimRole:
       return place.row == Row::point && !pointAt(place).enabled;
+    case relationRole:
+      return static_cast<int>(relationOf(place));
     default:
       return {};
   }

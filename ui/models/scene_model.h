@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "ui/models/scene_relatives.h"
 #include "ui/models/scene_rows.h"
 #include "ui/models/scene_switches.h"
 
@@ -25,9 +26,10 @@ class SceneModel : public QAbstractItemModel {
     levelRole,               ///< 1 is the coarsest; 0 for rows above the levels
     pointRole,               ///< PointId, 0 for others
     kindRole,                ///< PointKind, as int; -1 for others
-    detailRole,              ///< drawn quietly after the name: a named point's number
+    detailRole,  ///< drawn quietly after the name: a named point's number, what it is to the selection
     isEditLevelRole,
-    isDimRole,  ///< a disabled point
+    isDimRole,     ///< a disabled point
+    relationRole,  ///< Relation, as int: of a point, or of points below a group or level
   };
 
   SceneModel(Document& document, ViewState& view, QObject* parent = nullptr);
@@ -62,15 +64,19 @@ class SceneModel : public QAbstractItemModel {
   const ControlSet& controls() const;
   QString nameOf(const Place& place) const;
   QString countOf(const Place& place) const;
+  QString detailOf(const Place& place) const;
+  Relation relationOf(const Place& place) const;
   QVariant checkOf(const Place& place, int column) const;
   bool setSwitch(const Place& place, int column, bool on);
   void reset();
   void update(const ProjectChanges& what);
   void refreshAll();
+  void findRelatives();
 
   Document& document_;
   PointFilter filter_;
   SceneRows rows_;
+  SceneRelatives relatives_;
   SceneSwitches switches_;
 };
 

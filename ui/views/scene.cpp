@@ -36,6 +36,7 @@ Scene::Scene(vtkRenderWindow& window) {
   mesh_ = std::make_unique<MeshActor>(*surface_);
   grid_ = std::make_unique<StrokeActor>(*surface_);
   regions_ = std::make_unique<RegionActor>(*front_);
+  hierarchy_ = std::make_unique<HierarchyActor>(*front_);
   points_ = std::make_unique<PointActor>(*front_);
   gizmo_ = std::make_unique<GizmoActor>(*front_);
 }
@@ -59,6 +60,7 @@ void Scene::setPixelRatio(double ratio) {
   mesh_->setPixelRatio(ratio);
   grid_->setPixelRatio(ratio);
   regions_->setPixelRatio(ratio);
+  hierarchy_->setPixelRatio(ratio);
   points_->setPixelRatio(ratio);
   gizmo_->setPixelRatio(ratio);
 }

@@ -3,6 +3,7 @@
 #include "ui/views/camera.h"
 #include "ui/views/color.h"
 #include "ui/views/gizmo_actor.h"
+#include "ui/views/hierarchy_actor.h"
 #include "ui/views/mesh_actor.h"
 #include "ui/views/point_actor.h"
 #include "ui/views/region_actor.h"
@@ -19,7 +20,7 @@ class vtkRenderer;
 namespace pbffd::ui {
 
 /// The layers of the view and the actors in them, from back to front:
-/// background and ghost; the surface, its edges and the ground; regions, points and the gizmo, which see the
+/// background and ghost; the surface, its edges and the ground; regions, the hierarchy, points and the gizmo, which see the
 /// depth of the surface. All positions relative to one origin.
 class Scene {
  public:
@@ -44,6 +45,7 @@ class Scene {
   GhostActor& ghost() { return *ghost_; }
   StrokeActor& grid() { return *grid_; }
   RegionActor& regions() { return *regions_; }
+  HierarchyActor& hierarchy() { return *hierarchy_; }
   PointActor& points() { return *points_; }
   GizmoActor& gizmo() { return *gizmo_; }
 
@@ -56,6 +58,7 @@ class Scene {
   std::unique_ptr<GhostActor> ghost_;
   std::unique_ptr<StrokeActor> grid_;
   std::unique_ptr<RegionActor> regions_;
+  std::unique_ptr<HierarchyActor> hierarchy_;
   std::unique_ptr<PointActor> points_;
   std::unique_ptr<GizmoActor> gizmo_;
 };

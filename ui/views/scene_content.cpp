@@ -1,5 +1,6 @@
 #include "ui/views/scene_content.h"
 
+#include "ui/document/hierarchy_links.h"
 #include "ui/views/grid_actor.h"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ bool SceneContent::bringUpToDate(Scene& scene) {
   }
   if ((stale_ & points) != 0) {
     updatePoints(scene);
+    updateHierarchy(scene);
   }
   if ((stale_ & regions) != 0) {
     updateRegions(scene);
@@ -99,6 +101,7 @@ void SceneContent::updateColors(Scene& scene) {
   scene.mesh().setColors({token("mesh"), token("mesh.edges"), token("mesh.see_through")});
   scene.ghost().setColor(token("ghost"));
   scene.regions().setColors({token("region.fill"), token("region.rings"), token("region.outline")});
+  scene.hierarchy().setColors({token("hierarchy"), token("halo")});
   scene.points().setColors({token("halo"), token("select"), token("point.active")});
   GizmoActor::Colors gizmo;
   gizmo.axes = {token("axis.x"), token("axis.y"), token("axis.z")};
@@ -139,6 +142,10 @@ const Level* SceneContent::editLevel() const {
   const Index place = document_.editLevel();
   const bool exists = document_.isOpen() && place >= 0 && place < static_cast<Index>(levels.size());
   return exists ? &levels[place] : nullptr;
+}
+
+bool SceneContent::isLevelDrawn(Index level) const {
+  return level == document_.editLevel() || view_.isLevelShown(level + 1);
 }
 
 PointSprite SceneContent::spriteOf(const ControlPoint& point, int coarseness) const {
@@ -185,7 +192,7 @@ void SceneContent::updatePoints(Scene& scene) {
   const int levelCount = static_cast<int>(levels.size());
   for (int l = 0; document_.isOpen() && l < levelCount; ++l) {
     const bool isEdited = &levels[l] == editLevel();
-    if (!isEdited && !view_.isLevelShown(l + 1)) {
+    if (!isLevelDrawn(l)) {
       continue;
     }
     for (const ControlPoint& point : levels[l]) {
@@ -215,6 +222,26 @@ void SceneContent::updateRegions(Scene& scene) {
     }
   }
   scene.regions().setRegions(std::move(frames));
+}
+
+void SceneContent::updateHierarchy(Scene& scene) {
+  std::vector<HierarchyActor::Link> drawn;
+  const ControlSet& set = document_.shown().controls;
+  if (document_.isOpen() && view_.hierarchy() != HierarchyDisplay::none) {
+    const Selection& selection = document_.selection();
+    const auto links = view_.hierarchy() == HierarchyDisplay::all
+                           ? hierarchyLinks(set)
+                           : hierarchyLinks(set, selection.level(), selection.points());
+    for (const HierarchyLink& link : links) {
+      const ControlPoint& parent = set.levels[static_cast<std::size_t>(link.level)][link.parent];
+      const ControlPoint& child = set.levels[static_cast<std::size_t>(link.level) + 1][link.child];
+      if (view_.isPointShown(parent.id) && view_.isPointShown(child.id)) {
+        drawn.push_back({parent.pose.center - origin(), child.pose.center - origin(), isLevelDrawn(link.level),
+                         isLevelDrawn(link.level + 1)});
+      }
+    }
+  }
+  scene.hierarchy().setLinks(std::move(drawn));
 }
 
 Extent SceneContent::extent() const {

@@ -51,10 +51,13 @@ class SceneContent {
   void updateDisplay(Scene& scene);
   void updatePoints(Scene& scene);
   void updateRegions(Scene& scene);
+  void updateHierarchy(Scene& scene);
   void updateGrid(Scene& scene);
   PointSprite spriteOf(const ControlPoint& point, int coarseness) const;
   PointSprite dotOf(const ControlPoint& point) const;
   const Level* editLevel() const;
+  /// Whether the points of a level (from 0) are drawn, in full or as dots.
+  bool isLevelDrawn(Index level) const;
 
   const Document& document_;
   const ViewState& view_;

@@ -160,14 +160,14 @@ void MainWindow::connectTools() {
   const auto actionOf = [this](ToolId id) {
     return actions_->all()[static_cast<std::size_t>(ActionId::toolSelect) + static_cast<std::size_t>(id)];
   };
-  for (const ToolId id : {ToolId::select, ToolId::move, ToolId::rotate, ToolId::scale}) {
+  for (const ToolId id : {ToolId::select, ToolId::move, ToolId::rotate, ToolId::scale, ToolId::add}) {
     connect(actionOf(id), &QAction::triggered, tools_, [this, id] { tools_->trigger(id); });
   }
   const auto showTool = [this, options, actionOf](ToolId id) {
     const Tool& tool = tools_->tool(id);
     actionOf(id)->setChecked(true);
     optionsBar_->setTool(tool.name(), tool.iconName());
-    optionsBar_->setToolOptions(id == ToolId::select ? nullptr : options);
+    optionsBar_->setToolOptions(id == ToolId::select || id == ToolId::add ? nullptr : options);
   };
   connect(tools_, &ToolManager::activeChanged, this, showTool);
   connect(tools_, &ToolManager::hintChanged, status_, &StatusLine::setHint);

@@ -70,6 +70,9 @@ void makeMenus(QMainWindow& window, const MenuSources& sources) {
       QMenu* sides =
           makeSubmenu(*menu, QObject::tr("Look from"), actions, ActionId::viewFront, ActionId::viewBottom);
       menu->insertMenu(actions[ActionId::orthographic], sides);
+      QMenu* hierarchy = makeSubmenu(*menu, QObject::tr("Hierarchy"), actions, ActionId::hierarchyNone,
+                                     ActionId::hierarchyAll);
+      menu->insertMenu(actions[ActionId::showGrid], hierarchy);
     } else if (name == "Window") {
       QMenu* themes =
           makeSubmenu(*menu, QObject::tr("Theme"), actions, ActionId::themeSystem, ActionId::themeLight);

@@ -35,6 +35,7 @@ PlacementMore::PlacementMore(const Theme& theme, QWidget* parent)
   inner->setContentsMargins(0, 4, 0, 0);
   inner->setSpacing(7);
   inner->addLayout(labelledRow(tr("Kernel"), {kernel_}));
+  inner->addLayout(labelledRow(tr("Regions"), {regions_}));
   inner->addLayout(labelledRow(tr("Offset"), {offset_}));
   inner->addLayout(labelledRow(tr("Exterior"), {exterior_}));
   inner->addLayout(labelledRow(tr("Sites"), {sites_}));
@@ -65,6 +66,10 @@ NumberField* PlacementMore::makeField(const QString& name, const QString& suffix
 
 void PlacementMore::makeFields() {
   kernel_ = makeCombo({tr("Smooth"), tr("Wendland"), tr("Gaussian")}, tr("Kernel"));
+  regions_ = makeCombo({tr("Spheres"), tr("Ellipsoids")}, tr("Shape of the regions"));
+  regions_->setToolTip(
+      tr("Ellipsoids are long where points are sparse; a merged point takes the least one\n"
+         "that encloses the two it stands for"));
   offset_ = makeField(tr("Offset of exterior points, percent of the size"), tr("% of size"), 1);
   offset_->setRange(0.0, 100.0);
   offset_->setStep(0.5);
@@ -82,6 +87,7 @@ void PlacementMore::makeFields() {
   for (NumberField* field : {offset_, exterior_, seed_}) {
     connectField(field);
   }
+  connect(regions_, &QComboBox::activated, this, [this] { Q_EMIT changed(true); });
   connect(sites_, &QComboBox::activated, this, [this] { Q_EMIT changed(true); });
   connect(kernel_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT kernelChosen(static_cast<Kernel>(index)); });
@@ -110,6 +116,7 @@ void PlacementMore::setOpen(bool open) {
 
 void PlacementMore::show(const PlacementOptions& options) {
   kernel_->setCurrentIndex(static_cast<int>(options.basis.kernel));
+  regions_->setCurrentIndex(static_cast<int>(options.regions));
   offset_->setValue(options.offset * 100.0);
   exterior_->setValue(options.exteriorShare * 100.0);
   master_->setValue(options.master);
@@ -127,6 +134,7 @@ void PlacementMore::show(const PlacementOptions& options) {
 }
 
 PlacementOptions PlacementMore::over(PlacementOptions options) const {
+  options.regions = static_cast<RegionShape>(regions_->currentIndex());
   options.offset = offset_->value() / 100.0;
   options.exteriorShare = exterior_->value() / 100.0;
   options.seed = static_cast<unsigned>(seed_->value());

@@ -37,6 +37,7 @@ class PlacementMore : public QWidget {
 
   const Theme& theme_;
   QComboBox* kernel_;
+  QComboBox* regions_;
   NumberField* offset_;
   NumberField* exterior_;
   QComboBox* sites_;

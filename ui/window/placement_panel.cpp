@@ -173,7 +173,7 @@ void PlacementPanel::load() {
   widget()->setEnabled(document_.isOpen());
   if (document_.isOpen()) {
     const bool isClosed = document_.shown().mesh->topology().isClosed;
-    surface_->setItemText(0, isClosed ? tr("Automatic: closed") : tr("Automatic"));
+    surface_->setItemText(0, isClosed ? tr("Automatic: closed") : tr("Automatic: open"));
   }
   follow();
 }
@@ -186,6 +186,8 @@ void PlacementPanel::follow() {
   // Who is still changing the numbers leads.
   if (!points_->isHeld() && !radius_->isHeld() && !waiting_) {
     PlacementOptions options = document_.committed().placement;
+    // Levels that came or went since then are what the next placement is to have.
+    options.levels = static_cast<int>(document_.committed().controls.levels.size());
     options.basis = document_.committed().controls.basis;
     options.master = document_.committed().controls.master.value;
     options.masterMode = document_.committed().controls.master.mode;

@@ -11,16 +11,25 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <set>
+
 namespace pbffd::ui {
 namespace {
 
-/// Which glyph means which kind; only the kinds that this program makes.
+/// Which glyph means which kind, of the kinds that there are.
 class Legend : public QWidget {
  public:
-  explicit Legend(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
+  Legend(const Document& document, const Theme& theme, QWidget* parent)
+      : QWidget(parent), document_(document), theme_(theme) {
     setFixedHeight(46);
     setAccessibleName(tr("Kinds of control points"));
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(&document, &Document::opened, this, qOverload<>(&QWidget::update));
+    connect(&document, &Document::changed, this, [this](const ProjectChanges& what) {
+      if (what.structure) {
+        update();
+      }
+    });
   }
 
  protected:
@@ -32,8 +41,7 @@ class Legend : public QWidget {
     painter.drawLine(0, 0, width(), 0);
     int x = 12;
     int y = 8;
-    for (const PointKind kind :
-         {PointKind::interior, PointKind::exterior, PointKind::manual, PointKind::merged}) {
+    for (const PointKind kind : kinds()) {
       const QString name = kindTitle(kind);
       const int step = 20 + painter.fontMetrics().horizontalAdvance(name) + 12;
       if (x + step > width()) {
@@ -48,6 +56,19 @@ class Legend : public QWidget {
   }
 
  private:
+  std::set<PointKind> kinds() const {
+    std::set<PointKind> kinds;
+    if (document_.isOpen()) {
+      for (const Level& level : document_.shown().controls.levels) {
+        for (const ControlPoint& point : level) {
+          kinds.insert(point.kind);
+        }
+      }
+    }
+    return kinds;
+  }
+
+  const Document& document_;
   const Theme& theme_;
 };
 
@@ -73,7 +94,7 @@ ScenePanel::ScenePanel(Document& document, ViewState& view, const Theme& theme, 
   column->setSpacing(0);
   column->addLayout(top);
   column->addWidget(tree_, 1);
-  column->addWidget(new Legend(theme, this));
+  column->addWidget(new Legend(document, theme, this));
 }
 
 void ScenePanel::startFilter() {

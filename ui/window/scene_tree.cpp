@@ -22,6 +22,8 @@ constexpr int indent = 12;
 constexpr int switchWidth = 22;
 constexpr int leastCountWidth = 48;
 constexpr int headerHeight = 26;
+/// Of a parent or a child of the selection, as a share of a selected row's colour.
+constexpr float relatedTint = 0.55F;
 
 /// The heading: two words and the symbols of the columns below.
 class SceneHeader : public QHeaderView {
@@ -192,6 +194,11 @@ void SceneTree::renameCurrent() {
   }
 }
 
+/// A branch stands for what it hides, and only as long as it hides it.
+bool SceneTree::isMarkedAsRelated(const QModelIndex& index) const {
+  return index.data(SceneModel::relationRole).toInt() != static_cast<int>(Relation::none) && !isExpanded(index);
+}
+
 void SceneTree::drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const bool isSelected = selectionModel()->isSelected(index);
   const bool isHovered = option.rect.contains(viewport()->mapFromGlobal(QCursor::pos())) && underMouse();
@@ -204,6 +211,10 @@ void SceneTree::drawRow(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->fillRect(row, theme_.color("accent.bg"));
   } else if (isHovered) {
     painter->fillRect(row, theme_.color("hover"));
+  } else if (isMarkedAsRelated(index)) {
+    QColor tint = theme_.color("select.bg");
+    tint.setAlphaF(relatedTint);
+    painter->fillRect(row, tint);
   }
   QStyleOptionViewItem plain = option;
   plain.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus);

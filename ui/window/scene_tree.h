@@ -13,7 +13,8 @@ class SceneModel;
 class Theme;
 
 /// The tree of the scene dock: its selection and the document's are one; rows are drawn on amber where
-/// selected and on teal where they are the edit level.
+/// selected, on a hint of it where they are parents or children of the selection, and on teal where they are
+/// the edit level.
 class SceneTree : public QTreeView {
   Q_OBJECT
 
@@ -41,6 +42,7 @@ class SceneTree : public QTreeView {
   void rememberExpansion();
   void restoreExpansion();
   void forEachBranch(const std::function<void(const QModelIndex&)>& visit) const;
+  bool isMarkedAsRelated(const QModelIndex& index) const;
   void takeSelection();
   void showSelection();
 

@@ -57,6 +57,7 @@ SampleCard::SampleCard(const Theme& theme, const QString& name, QWidget* parent)
   setCursor(Qt::PointingHandCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setMinimumSize(200, 150);
+  setMouseTracking(true);
   connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -78,7 +79,7 @@ void SampleCard::paintEvent(QPaintEvent*) {
   painter.fillRect(box.adjusted(0, view.height(), 0, 0), theme_.color("panel"));
   drawFitted(painter, view.adjusted(8, 8, -8, -8), picture_);
   painter.setClipping(false);
-  const bool isMarked = hasFocus() || underMouse();
+  const bool isMarked = hasFocus() || isPointedAt_;
   painter.setPen(QPen(theme_.color(isMarked ? "accent" : "line"), hasFocus() ? 2.0 : 1.0));
   painter.drawPath(shape);
   const QRectF caption = box.adjusted(14, view.height(), -14, 0);
@@ -90,13 +91,15 @@ void SampleCard::paintEvent(QPaintEvent*) {
   painter.drawText(caption, Qt::AlignRight | Qt::AlignVCenter, count_);
 }
 
-void SampleCard::enterEvent(QEnterEvent* event) {
-  QAbstractButton::enterEvent(event);
+void SampleCard::mouseMoveEvent(QMouseEvent* event) {
+  QAbstractButton::mouseMoveEvent(event);
+  isPointedAt_ = true;
   update();
 }
 
 void SampleCard::leaveEvent(QEvent* event) {
   QAbstractButton::leaveEvent(event);
+  isPointedAt_ = false;
   update();
 }
 

@@ -21,12 +21,13 @@ class SampleCard : public QAbstractButton {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void enterEvent(QEnterEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
   const Theme& theme_;
+  bool isPointedAt_ = false;  ///< by a pointer that moved: where it happens to be at the start says nothing
   QImage picture_;
   QString count_;
 };

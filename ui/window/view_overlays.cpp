@@ -20,8 +20,8 @@ constexpr int buttonSize = 28;
 
 QList<QAction*> visibleTools(const Actions& actions) {
   QList<QAction*> tools;
-  for (const ActionId id :
-       {ActionId::toolSelect, ActionId::toolMove, ActionId::toolRotate, ActionId::toolScale}) {
+  for (const ActionId id : {ActionId::toolSelect, ActionId::toolMove, ActionId::toolRotate, ActionId::toolScale,
+                            ActionId::toolAdd}) {
     if (actions[id]->isVisible()) {
       tools += actions[id];
     }

@@ -20,6 +20,7 @@ class SelectionTest : public QObject {
   void toggleAddsAndRemoves();
   void nothingNewIsNotAnnounced();
   void lostPointsAreForgottenOnEveryLevel();
+  void coarserLevelsComeAndGo();
   void resetForgetsAll();
 };
 
@@ -76,6 +77,20 @@ void SelectionTest::lostPointsAreForgottenOnEveryLevel() {
   selection.keepOnly([](int level, PointId point) { return level == 1 ? point == 2 : point == 10; });
   QCOMPARE(selection.points(), Ids({10}));
   selection.setLevel(1);
+  QCOMPARE(selection.points(), Ids({2}));
+}
+
+void SelectionTest::coarserLevelsComeAndGo() {
+  Selection selection;
+  selection.replace({1});
+  selection.setLevel(2);
+  selection.replace({2});
+  selection.renumberLevels(1);
+  QCOMPARE(selection.level(), 3);
+  QCOMPARE(selection.points(), Ids({2}));
+  selection.setLevel(2);
+  selection.renumberLevels(-2);
+  QCOMPARE(selection.level(), 1);
   QCOMPARE(selection.points(), Ids({2}));
 }
 

@@ -23,6 +23,7 @@ void ViewStateTest::comesBackFromJson() {
   ViewState state;
   state.setDisplayMode(DisplayMode::seeThrough);
   state.setRegions(RegionDisplay::level);
+  state.setHierarchy(HierarchyDisplay::all);
   state.setGridShown(false);
   state.setOrthographic(true);
   state.setMeshShown(false);
@@ -32,6 +33,7 @@ void ViewStateTest::comesBackFromJson() {
   other.restore(state.toJson());
   QCOMPARE(other.toJson(), state.toJson());
   QVERIFY(other.displayMode() == DisplayMode::seeThrough);
+  QVERIFY(other.hierarchy() == HierarchyDisplay::all);
   QVERIFY(other.isLevelShown(2) && !other.isLevelShown(1));
   QVERIFY(!other.isPointShown(PointId{1} << 40));
 }
@@ -39,9 +41,11 @@ void ViewStateTest::comesBackFromJson() {
 void ViewStateTest::brokenJsonIsIgnored() {
   ViewState state;
   const QByteArray before = state.toJson();
-  for (const char* json : {"", "[", "[1,2]", R"({"mode":77,"grid":"yes","levels":5,"unknown":1})"}) {
+  for (const char* json :
+       {"", "[", "[1,2]", R"({"mode":77,"grid":"yes","levels":5,"hierarchy":-3,"unknown":1})"}) {
     state.restore(json);
     QVERIFY(static_cast<int>(state.displayMode()) <= 2);
+    QVERIFY(state.hierarchy() == HierarchyDisplay::none);
     QVERIFY(state.isGridShown());
   }
   state.restore("{}");

@@ -27,6 +27,7 @@ class SceneModelTest : public QObject {
   void tickAndLockAreUndoable();
   void renameIsUndoable();
   void theEditLevelIsMarked();
+  void parentsAndChildrenOfTheSelectionAreMarked();
   void selectionBecomesFewRanges();
   void aChangeOfTheViewIsFewSignalsWithManyPoints();
 
@@ -160,6 +161,39 @@ void SceneModelTest::theEditLevelIsMarked() {
   document_->selection().setLevel(1);
   QVERIFY(model_->levelIndex(1).data(SceneModel::isEditLevelRole).toBool());
   QVERIFY(!model_->levelIndex(2).data(SceneModel::isEditLevelRole).toBool());
+}
+
+void SceneModelTest::parentsAndChildrenOfTheSelectionAreMarked() {
+  QVERIFY(openShape(*document_, *folder_));
+  QVERIFY(document_->perform(SetLevels{3}));
+  const auto& levels = document_->shown().controls.levels;
+  const ControlPoint& middle = levels[1][0];
+  document_->selection().setLevel(2);
+  document_->selection().replace({middle.id});
+  const auto relation = [&](const QModelIndex& index) {
+    return static_cast<ui::Relation>(index.data(SceneModel::relationRole).toInt());
+  };
+  std::size_t children = 0;
+  for (const ControlPoint& point : levels[2]) {
+    const bool isChild =
+        std::find(middle.mergedFrom.begin(), middle.mergedFrom.end(), point.id) != middle.mergedFrom.end();
+    const QModelIndex row = model_->pointIndex(3, point.id);
+    QCOMPARE(relation(row), isChild ? ui::Relation::child : ui::Relation::none);
+    QCOMPARE(row.data(SceneModel::detailRole).toString(), isChild ? QString("child") : QString());
+    children += isChild ? 1 : 0;
+  }
+  QCOMPARE(children, middle.mergedFrom.size());
+  int parents = 0;
+  for (const ControlPoint& point : levels[0]) {
+    parents += relation(model_->pointIndex(1, point.id)) == ui::Relation::parent ? 1 : 0;
+  }
+  QCOMPARE(parents, 1);
+  // The rows above tell it too, for they may be closed.
+  QCOMPARE(relation(model_->levelIndex(1)), ui::Relation::parent);
+  const QModelIndex group = model_->index(0, 0, model_->levelIndex(1));
+  QCOMPARE(group.data(SceneModel::detailRole).toString(), QString("1 parent"));
+  document_->selection().clear();
+  QCOMPARE(relation(model_->levelIndex(1)), ui::Relation::none);
 }
 
 void SceneModelTest::selectionBecomesFewRanges() {

@@ -179,6 +179,48 @@ class ViewportTest : public QObject {
     QVERIFY(test::differingPixels(with, none) > 2000);
   }
 
+  void hierarchyIsDrawnOnDemandAndFollowsADrag() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    QVERIFY(open.document.perform(SetLevels{3}));
+    open.document.selection().setLevel(1);
+    const PointId root = open.document.shown().controls.levels[0][0].id;
+    open.document.selection().replace({root});
+    open.view.setRegions(RegionDisplay::none);
+    const QImage without = open.frame();
+    open.view.setHierarchy(HierarchyDisplay::selection);
+    const QImage with = open.frame();
+    QVERIFY(test::differingPixels(without, with) > 100);
+    // One point stands for all, so its branches are the whole tree.
+    open.view.setHierarchy(HierarchyDisplay::all);
+    QCOMPARE(test::differingPixels(with, open.frame()), 0);
+    open.view.setMeshShown(false);
+    Move move = moveOf(root, Vec3(0.3, 0.2, 0));
+    move.where.level = 1;
+    const QImage still = open.frame();
+    QVERIFY(open.document.preview(move));
+    QVERIFY(test::differingPixels(still, open.frame()) > 100);
+    open.document.cancelPreview();
+    QCOMPARE(test::differingPixels(still, open.frame()), 0);
+  }
+
+  void otherLevelsAreHiddenOrDots() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    QVERIFY(open.document.perform(SetLevels{2}));
+    open.view.setMeshShown(false);
+    open.view.setGridShown(false);
+    open.document.selection().setLevel(1);
+    const QPoint fine = open.placeOf(1);
+    const QImage hidden = open.frame();
+    open.view.setLevelShown(2, true);
+    const QImage dots = open.frame();
+    const double ratio = open.viewport.devicePixelRatioF();
+    const double seen = test::differingPixels(hidden, dots) / (ratio * ratio);
+    QVERIFY2(seen > 20 && seen < 400, QByteArray::number(seen).constData());
+    QVERIFY(open.viewport.pointsAt(fine).empty());
+    open.document.selection().setLevel(2);
+    QCOMPARE(open.viewport.pointsAt(fine), std::vector<PointId>{1});
+  }
+
   void cloudOfPointsIsDrawn() {
     Mesh cloud;
     cloud.positions = pbffd::test::sphere().positions;

@@ -6,8 +6,11 @@
 #include "ui/document/theme.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QSlider>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace pbffd::test {
 
@@ -22,6 +25,8 @@ class PlacementPanelTest : public QObject {
   void theSliderPlacesAnewWhileNothingIsEdited();
   void afterAnEditOnlyTheButtonPlaces();
   void undoTakesTheNumbersBack();
+  void levelsThatCameAreShown();
+  void regionsCanBeEllipsoids();
 
  private:
   QTemporaryDir folder_;
@@ -84,6 +89,33 @@ void PlacementPanelTest::undoTakesTheNumbersBack() {
   QVERIFY(finishJobs(*document_));
   document_->undo();
   QCOMPARE(panel_->options().points, 40);
+}
+
+void PlacementPanelTest::levelsThatCameAreShown() {
+  QVERIFY(document_->perform(SetLevels{4}));
+  QCOMPARE(panel_->options().levels, 4);
+  document_->undo();
+  QCOMPARE(panel_->options().levels, 2);
+}
+
+void PlacementPanelTest::regionsCanBeEllipsoids() {
+  QComboBox* regions = nullptr;
+  for (QComboBox* each : panel_->findChildren<QComboBox*>()) {
+    regions = each->accessibleName() == "Shape of the regions" ? each : regions;
+  }
+  QVERIFY(regions != nullptr);
+  const auto isSphere = [](const ControlPoint& point) {
+    const Eigen::RowVector3d lengths = point.rest.axes.colwise().norm();
+    return lengths.maxCoeff() - lengths.minCoeff() < 1e-9 * lengths.maxCoeff();
+  };
+  const auto areSpheres = [&](const Level& level) { return std::all_of(level.begin(), level.end(), isSphere); };
+  QVERIFY(areSpheres(document_->shown().controls.levels[0]));
+  regions->setCurrentIndex(1);
+  Q_EMIT regions->activated(1);
+  QVERIFY(finishJobs(*document_));
+  QVERIFY(document_->committed().placement.regions == RegionShape::ellipsoid);
+  // Those of merged points too.
+  QVERIFY(!areSpheres(document_->shown().controls.levels[0]));
 }
 
 const Registration<PlacementPanelTest> registration;

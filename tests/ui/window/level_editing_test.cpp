@@ -1,0 +1,188 @@
+#include "tests/support/test_main.h"
+#include "tests/ui/window/open_window.h"
+#include "ui/document/hierarchy_links.h"
+#include "ui/models/scene_model.h"
+#include "ui/window/docks.h"
+#include "ui/window/error_bar.h"
+#include "ui/window/scene_panel.h"
+#include "ui/window/scene_tree.h"
+
+namespace pbffd::test {
+
+using ui::ActionId;
+
+/// Levels in the real window: chosen by keys and in the tree, edited, added and removed.
+class LevelEditingTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void cleanup();
+
+  void figuresChooseTheLevelInViewAndTree();
+  void aDoubleClickInTheTreeChoosesTheLevel();
+  void parentsAndChildrenAreSelected();
+  void theHierarchyIsAKey();
+  void pointsOfACoarseLevelAreEditedAndUndone();
+  void pointsAreAddedToTheEditLevel();
+  void levelsAreAddedAndRemoved();
+  void whatLevelsDoNotAllowIsSaidAndChangesNothing();
+
+ private:
+  std::unique_ptr<OpenWindow> open_;
+  ui::Document& document() { return open_->window.document(); }
+  QWidget& surface() { return *open_->window.viewport().surface(); }
+  const std::vector<Level>& levels() { return document().shown().controls.levels; }
+  void trigger(ActionId id) { open_->window.actions()[id]->trigger(); }
+  bool isRefused(ActionId id, const QString& reason);
+};
+
+void LevelEditingTest::init() {
+  open_ = std::make_unique<OpenWindow>();
+  QVERIFY(open_->isReady);
+  QVERIFY(open_->open(writeShape(open_->folder, cylinder())));
+  QCOMPARE(levels().size(), std::size_t{3});
+}
+
+void LevelEditingTest::cleanup() {
+  open_.reset();
+}
+
+/// Whether an action does nothing but show an error bar that says why.
+bool LevelEditingTest::isRefused(ActionId id, const QString& reason) {
+  ui::ErrorBar& bar = open_->window.errorBar();
+  bar.hide();
+  const ControlSet before = document().shown().controls;
+  const int entries = document().history().count();
+  trigger(id);
+  return finishJobs(document()) && bar.isVisible() && document().shown().controls == before &&
+         document().history().count() == entries && bar.severity() == ui::Severity::error &&
+         bar.text().contains(reason);
+}
+
+void LevelEditingTest::figuresChooseTheLevelInViewAndTree() {
+  for (const int level : {1, 2, 3}) {
+    QTest::keyClick(&surface(), static_cast<Qt::Key>(Qt::Key_0 + level));
+    QCOMPARE(document().selection().level(), level);
+  }
+  ui::SceneTree& tree = open_->window.docks().scene().tree();
+  tree.setFocus();
+  for (const int level : {2, 1, 3}) {
+    QTest::keyClick(&tree, static_cast<Qt::Key>(Qt::Key_0 + level));
+    QCOMPARE(document().selection().level(), level);
+  }
+  // There is no fourth one.
+  QTest::keyClick(&surface(), Qt::Key_4);
+  QCOMPARE(document().selection().level(), 3);
+}
+
+void LevelEditingTest::aDoubleClickInTheTreeChoosesTheLevel() {
+  ui::SceneTree& tree = open_->window.docks().scene().tree();
+  const auto& model = *static_cast<ui::SceneModel*>(tree.model());
+  const QPoint at = tree.visualRect(model.levelIndex(1)).center();
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, at);
+  QTest::mouseDClick(tree.viewport(), Qt::LeftButton, {}, at);
+  QCOMPARE(document().selection().level(), 1);
+  QVERIFY(model.levelIndex(1).data(ui::SceneModel::isEditLevelRole).toBool());
+}
+
+void LevelEditingTest::parentsAndChildrenAreSelected() {
+  document().selection().setLevel(2);
+  const PointId chosen = levels()[1][7].id;
+  document().selection().replace({chosen});
+  trigger(ActionId::selectChildren);
+  QCOMPARE(document().selection().level(), 3);
+  QCOMPARE(document().selection().points(), levels()[1][7].mergedFrom);
+  trigger(ActionId::selectParents);
+  QCOMPARE(document().selection().level(), 2);
+  QCOMPARE(document().selection().points(), std::vector<PointId>{chosen});
+  trigger(ActionId::selectParents);
+  QCOMPARE(document().selection().level(), 1);
+  QCOMPARE(document().selection().points(), ui::parentsOf(document().shown().controls, 2, {chosen}));
+}
+
+void LevelEditingTest::theHierarchyIsAKey() {
+  QAction& ofSelection = *open_->window.actions()[ActionId::hierarchySelection];
+  QTest::keyClick(&surface(), Qt::Key_T);
+  QVERIFY(ofSelection.isChecked());
+  QTest::keyClick(&surface(), Qt::Key_T, Qt::ShiftModifier);
+  QVERIFY(open_->window.actions()[ActionId::hierarchyAll]->isChecked());
+  QTest::keyClick(&surface(), Qt::Key_T, Qt::ShiftModifier);
+  QVERIFY(open_->window.actions()[ActionId::hierarchyNone]->isChecked());
+}
+
+void LevelEditingTest::pointsOfACoarseLevelAreEditedAndUndone() {
+  const ControlSet before = document().shown().controls;
+  QTest::keyClick(&surface(), Qt::Key_1);
+  const PointId chosen = levels()[0][3].id;
+  document().selection().replace({chosen});
+  trigger(ActionId::disablePoints);
+  QVERIFY(!levels()[0][3].enabled);
+  trigger(ActionId::enablePoints);
+  QVERIFY(levels()[0][3].enabled);
+  trigger(ActionId::removePoints);
+  QCOMPARE(levels()[0].size(), before.levels[0].size() - 1);
+  QVERIFY(!levels()[0].find(chosen));
+  Frame larger = before.levels[0][2].rest;
+  larger.axes *= 1.5;
+  QVERIFY(document().perform(SetRegion{1, before.levels[0][2].id, larger}));
+  for (int step = 0; step < 4; ++step) {
+    trigger(ActionId::undo);
+  }
+  QVERIFY(document().shown().controls == before);
+}
+
+void LevelEditingTest::pointsAreAddedToTheEditLevel() {
+  const ControlSet before = document().shown().controls;
+  surface().setFocus();
+  QTest::keyClick(&surface(), Qt::Key_2);
+  QTest::keyClick(&surface(), Qt::Key_A);
+  QVERIFY(open_->window.actions()[ActionId::toolAdd]->isChecked());
+  QTest::mouseClick(&surface(), Qt::LeftButton, {}, surface().rect().center());
+  QCOMPARE(levels()[1].size(), before.levels[1].size() + 1);
+  QCOMPARE(levels()[2].size(), before.levels[2].size());
+  const ControlPoint& added = levels()[1][levels()[1].size() - 1];
+  QVERIFY(added.kind == PointKind::manual);
+  QCOMPARE(document().selection().points(), std::vector<PointId>{added.id});
+  trigger(ActionId::undo);
+  QVERIFY(document().shown().controls == before);
+}
+
+void LevelEditingTest::levelsAreAddedAndRemoved() {
+  const auto points = firstPoints(document(), 3);
+  document().selection().replace(points);
+  trigger(ActionId::addCoarserLevel);
+  QVERIFY(finishJobs(document()));
+  QCOMPARE(levels().size(), std::size_t{4});
+  QCOMPARE(levels()[0].size(), 25);
+  // The finest level is another number now, and still the one that is edited.
+  QCOMPARE(document().selection().level(), 4);
+  QCOMPARE(document().selection().points(), points);
+  QVERIFY(open_->window.actions()[ActionId::level4]->isEnabled());
+  trigger(ActionId::removeCoarsestLevel);
+  QVERIFY(finishJobs(document()));
+  trigger(ActionId::removeCoarsestLevel);
+  QVERIFY(finishJobs(document()));
+  QCOMPARE(levels().size(), std::size_t{2});
+  QCOMPARE(document().selection().points(), points);
+  for (int step = 0; step < 3; ++step) {
+    trigger(ActionId::undo);
+  }
+  QCOMPARE(levels().size(), std::size_t{3});
+}
+
+void LevelEditingTest::whatLevelsDoNotAllowIsSaidAndChangesNothing() {
+  QTest::keyClick(&surface(), Qt::Key_1);
+  trigger(ActionId::selectAll);
+  QVERIFY(isRefused(ActionId::removePoints, "without a point"));
+  QVERIFY(document().perform(SetLevels{1}));
+  QVERIFY(isRefused(ActionId::removeCoarsestLevel, "at least one"));
+  QVERIFY(document().perform(SetLevels{8}));
+  QVERIFY(isRefused(ActionId::addCoarserLevel, "allow at most 8 levels"));
+}
+
+const Registration<LevelEditingTest> registration;
+
+}  // namespace pbffd::test
+
+#include "level_editing_test.moc"

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace pbffd {
@@ -34,8 +35,44 @@ class Descriptor {
   int value_;
 };
 
+/// What the user can do about an error of the system.
+std::string_view adviceFor(int code) {
+  switch (code) {
+    case ENOENT:
+    case ENOTDIR:
+      return "Check the name and its folder.";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "Choose a place that you may write to, or change the permissions.";
+    case ENOSPC:
+    case EDQUOT:
+      return "Make room, or choose another place.";
+    case ENAMETOOLONG:
+      return "Choose a shorter name.";
+    default:
+      return "Try again, or choose another place.";
+  }
+}
+
 [[noreturn]] void failToWrite(const std::filesystem::path& path, int code) {
-  throw IoError(format("Could not write {}: {}.", path.string(), std::generic_category().message(code)));
+  throw IoError(format("Could not write {}: {}. {}", path.string(), std::generic_category().message(code),
+                       adviceFor(code)));
+}
+
+/// Where writing to `path` ends: links are followed, also one to a file that is not there yet.
+std::filesystem::path targetOf(const std::filesystem::path& path) {
+  std::error_code failure;
+  std::filesystem::path target = path;
+  constexpr int mostLinks = 40;
+  for (int links = 0; std::filesystem::is_symlink(target, failure); ++links) {
+    if (links == mostLinks) {
+      failToWrite(path, ELOOP);
+    }
+    const std::filesystem::path next = std::filesystem::read_symlink(target, failure);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
 }
 
 void writeAll(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
@@ -69,11 +106,13 @@ mode_t permissionsFor(const std::filesystem::path& path) {
 
 std::string readFile(const std::filesystem::path& path) {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
-    throw IoError(format("Could not read {}: it is a folder.", path.string()));
+    throw IoError(format("Could not read {}: it is a folder. Name a file in it.", path.string()));
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
-    throw IoError(format("Could not read {}: {}.", path.string(), std::generic_category().message(errno)));
+    const int code = errno;
+    throw IoError(format("Could not read {}: {}. {}", path.string(), std::generic_category().message(code),
+                         code == EACCES ? "Change its permissions, or ask its owner." : "Check the name."));
   }
   std::string bytes;
   std::error_code unknownSize;
@@ -86,18 +125,18 @@ std::string readFile(const std::filesystem::path& path) {
     bytes.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
   }
   if (stream.bad()) {
-    throw IoError(format("Could not read {} to its end.", path.string()));
+    throw IoError(
+        format("Could not read {} to its end. Copy it to this machine and try again.", path.string()));
   }
   return bytes;
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
   // A link is followed, so that saving through it does not replace it.
-  std::error_code notThere;
-  const auto resolved = std::filesystem::canonical(path, notThere);
-  const std::filesystem::path target = notThere ? path : resolved;
-  if (!notThere && !std::filesystem::is_regular_file(target)) {
-    throw IoError(format("Could not write {}: it is not a regular file.", path.string()));
+  const std::filesystem::path target = targetOf(path);
+  std::error_code ignored;
+  if (std::filesystem::exists(target, ignored) && !std::filesystem::is_regular_file(target, ignored)) {
+    throw IoError(format("Could not write {}: it is not a regular file. Choose another name.", path.string()));
   }
   std::string temporary = target.string() + ".XXXXXX";
   const Descriptor file(::mkstemp(temporary.data()));

@@ -28,9 +28,26 @@ class FileTest : public QObject {
       writeFileAtomically(path, "x");
       QFAIL("no error");
     } catch (const IoError& error) {
-      QVERIFY(std::string(error.what()).find(path.string()) != std::string::npos);
+      const std::string what = error.what();
+      QVERIFY(what.find(path.string()) != std::string::npos);
+      QVERIFY2(what.ends_with("No such file or directory. Check the name and its folder."), what.c_str());
     }
     QVERIFY(!std::filesystem::exists(path));
+  }
+
+  void writingThroughALinkLeavesTheLink() {
+    const QTemporaryDir folder;
+    const std::filesystem::path root = folder.path().toStdString();
+    std::filesystem::create_symlink("second", root / "first");
+    std::filesystem::create_symlink(root / "target", root / "second");
+    for (const char* bytes : {"to a file that is not there yet", "to one that is"}) {
+      writeFileAtomically(root / "first", bytes);
+      QVERIFY(std::filesystem::is_symlink(root / "first") && std::filesystem::is_symlink(root / "second"));
+      QCOMPARE(readFile(root / "target"), std::string(bytes));
+    }
+    std::filesystem::create_symlink("circle", root / "circle");
+    QVERIFY_EXCEPTION_THROWN(writeFileAtomically(root / "circle", "x"), IoError);
+    QVERIFY(std::filesystem::is_symlink(root / "circle"));
   }
 
   void missingFileAndFolderAreErrors() {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/mesh/io/export_losses.h"
 #include "core/mesh/io/mesh_io.h"
 #include "core/project/shape.h"
 
@@ -31,6 +32,7 @@ void exportMesh(const ExportCommand& command, const Progress& progress) {
   const std::string bytes = encodeMesh(project.mesh->mesh(), shape, format, progress);
   progress.throwIfCancelled();
   writeFileAtomically(command.mesh, bytes);
+  printRemarks(exportLosses(project.mesh->mesh(), format));
   print(pbffd::format("Exported {} vertices to {}.\n", grouped(project.mesh->vertexCount()),
                       command.mesh.string()));
 }

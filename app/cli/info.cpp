@@ -67,7 +67,8 @@ Json describeMesh(const RestMesh& mesh) {
           {"isolated_vertices", topology.isolatedVertices},
           {"closed", topology.isClosed},
           {"bounds", Json::array({toJson(mesh.bounds().low), toJson(mesh.bounds().high)})},
-          {"attributes", attributes}};
+          {"attributes", attributes},
+          {"remarks", mesh.mesh().remarks}};
 }
 
 Json describeProject(const Project& project) {
@@ -125,23 +126,18 @@ std::string projectText(const Json& project) {
 }
 
 void info(const InfoOptions& options, const Progress& progress) {
-  Json description;
-  std::vector<std::string> remarks;
-  if (isProject(options.file)) {
-    description = describeProject(loadProject(options.file, progress).project);
-  } else {
-    const RestMesh mesh(readMesh(options.file, progress));
-    description = describeMesh(mesh);
-    remarks = mesh.mesh().remarks;
-  }
+  const Json description = isProject(options.file)
+                               ? describeProject(loadProject(options.file, progress).project)
+                               : describeMesh(RestMesh(readMesh(options.file, progress)));
   if (options.asJson) {
     print(description.dump() + "\n");
     return;
   }
   const bool isMesh = description["kind"] == "mesh";
+  const Json& mesh = isMesh ? description : description["mesh"];
   print(format("{}: a {}\n", options.file.string(), isMesh ? "mesh" : "project") +
-        (isMesh ? meshText(description) : projectText(description) + meshText(description["mesh"])));
-  printRemarks(remarks);
+        (isMesh ? "" : projectText(description)) + meshText(mesh));
+  printRemarks(mesh["remarks"].get<std::vector<std::string>>());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/mesh/io/export_losses.h"
 #include "core/project/shape.h"
 #include "ui/document/change_project.h"
 #include "ui/document/document.h"
@@ -186,7 +187,12 @@ void Document::exportMesh(const QString& path) {
     const std::string bytes = encodeMesh(project.mesh->mesh(), shape, format, progress);
     progress.throwIfCancelled();
     writeFileAtomically(pathOf(path), bytes);
-    return [this, path] { Q_EMIT informed(tr("Exported %1.").arg(QFileInfo(path).fileName())); };
+    return [this, path, losses = exportLosses(project.mesh->mesh(), format)] {
+      Q_EMIT informed(tr("Exported %1.").arg(QFileInfo(path).fileName()));
+      for (const std::string& loss : losses) {
+        Q_EMIT remarked(QString::fromStdString(loss));
+      }
+    };
   };
   jobs_->start({"export", tr("Exporting %1").arg(QFileInfo(path).fileName()), work});
 }

@@ -29,7 +29,8 @@ class InfoTest : public QObject {
     QCOMPARE(info["closed"].toBool(), true);
     QCOMPARE(info["bounds"].toArray(), (QJsonArray{QJsonArray{-0.5, -0.5, -0.5}, QJsonArray{0.5, 0.5, 0.5}}));
     QVERIFY(info["attributes"].isArray());
-    QCOMPARE(info.size(), 12);
+    QCOMPARE(info["remarks"].toArray(), QJsonArray());
+    QCOMPARE(info.size(), 13);
   }
 
   void openMeshWithLooseVertexIsSeen() {

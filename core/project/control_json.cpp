@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/ffd/frame_checks.h"
 #include "core/project/edit_scope.h"
 
 #include <unordered_set>
@@ -71,6 +72,24 @@ double positiveNumber(const JsonReader& reader) {
   return number;
 }
 
+double strengthFrom(const JsonReader& reader) {
+  const double strength = reader.number();
+  try {
+    requireStrength(strength);
+  } catch (const InvalidInput& error) {
+    reader.fail(error.what());
+  }
+  return strength;
+}
+
+Binding bindingFrom(const JsonReader& reader) {
+  const Binding binding{reader.at("at").vector(), reader.at("local").map()};
+  if (!isInvertible(binding.local.leftCols<3>())) {
+    reader.at("local").fail("the map is singular: it leaves no volume");
+  }
+  return binding;
+}
+
 std::vector<PointId> membersFrom(const JsonReader& reader) {
   std::vector<PointId> members;
   for (std::size_t i = 0; i < reader.size(); ++i) {
@@ -95,7 +114,7 @@ ControlPoint pointFrom(const JsonReader& reader, bool isBound) {
   read("kind", point.kind, kindFrom);
   read("enabled", point.enabled, boolean);
   read("locked", point.locked, boolean);
-  read("strength", point.strength, positiveNumber);
+  read("strength", point.strength, strengthFrom);
   read("reach", point.reach, reachFrom);
   read("merged_from", point.mergedFrom, membersFrom);
   point.rest = checkedFrame(reader.at("rest"), requireRest);
@@ -105,8 +124,7 @@ ControlPoint pointFrom(const JsonReader& reader, bool isBound) {
       reader.fail(format(
           "the levels do not fit together: point {} has no \"binding\" to the next coarser level", point.id));
     }
-    const JsonReader binding = reader.at("binding");
-    point.binding = {binding.at("at").vector(), binding.at("local").map()};
+    point.binding = bindingFrom(reader.at("binding"));
   }
   return point;
 }

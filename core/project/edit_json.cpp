@@ -15,10 +15,7 @@ Json parsedText(std::string_view json, const std::string& name) {
   } catch (const JsonTextError& error) {
     const std::string place =
         error.isInList ? format(", edit {} (at /{})", error.element + 1, error.element) : std::string();
-    throw InvalidInput(
-        format("{}{}: {}. A number must be finite, a text stand in double quotes, and commas only "
-               "between elements.",
-               name, place, error.what()));
+    throw InvalidInput(format("{}{}: {}", name, place, error.what()));
   }
 }
 

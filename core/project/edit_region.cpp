@@ -48,10 +48,7 @@ Project applied(const EditScope& scope, const Enable& edit) {
 }
 
 Project applied(const EditScope& scope, const Strength& edit) {
-  requireFinite(edit.value, "the strength");
-  if (!(edit.value > 0.0)) {
-    throw InvalidInput(format("a strength of {:g} is not above 0; disable the points instead", edit.value));
-  }
+  requireStrength(edit.value);
   return withStructure(
       scope, withPoints(scope, edit.where, [&](ControlPoint& point) { point.strength = edit.value; }));
 }

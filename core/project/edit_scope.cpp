@@ -175,6 +175,17 @@ void requirePose(const Frame& frame) {
   }
 }
 
+void requireStrength(double strength) {
+  requireFinite(strength, "the strength");
+  if (!(strength > 0.0)) {
+    throw InvalidInput(format("a strength of {:g} is not above 0; disable the points instead", strength));
+  }
+  constexpr double greatest = 1e100;
+  if (strength > greatest || strength < 1.0 / greatest) {
+    throw InvalidInput(format("a strength of {:g} is not between {:g} and {:g}", strength, 1.0 / greatest, greatest));
+  }
+}
+
 void setRest(ControlPoint& point, const Frame& rest) {
   point.pose = moved(rest, point.map());
   point.rest = rest;

@@ -40,6 +40,8 @@ void requireFinite(double number, const char* what);
 void requireRest(const Frame& frame);
 /// A pose: finite, axes that can be inverted.
 void requirePose(const Frame& frame);
+/// A strength: above 0, and such that sums of strengths and their inverses stay finite.
+void requireStrength(double strength);
 
 /// Gives the point another rest frame and keeps its transform: pose := M x new rest, to the bit where it is at
 /// rest. Its place in the coarser level moves along.

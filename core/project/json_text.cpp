@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 namespace pbffd {
 namespace {
@@ -19,13 +21,36 @@ std::string placeOf(std::string_view text, std::size_t byte) {
   return format("line {}, column {}", line, column);
 }
 
+/// The names met so far in each object that is open.
+class OpenObjects {
+ public:
+  void begin() { names_.emplace_back(); }
+  void end() { names_.pop_back(); }
+  /// Whether the innermost object had this name before.
+  bool isRepeated(const std::string& name) { return !names_.back().insert(name).second; }
+
+ private:
+  std::vector<std::set<std::string>> names_;
+};
+
 }  // namespace
 
 Json parsedJson(std::string_view text) {
   std::size_t finished = 0;
   bool isList = false;
   const auto fail = [&](const std::string& what) -> void { throw JsonTextError(what, isList, finished); };
-  const Json::parser_callback_t watch = [&](int depth, Json::parse_event_t event, Json&) {
+  OpenObjects objects;
+  const auto watchNames = [&](Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) {
+      objects.begin();
+    } else if (event == Json::parse_event_t::object_end) {
+      objects.end();
+    } else if (event == Json::parse_event_t::key && objects.isRepeated(parsed.get<std::string>())) {
+      fail(format("it has \"{}\" twice in one object", parsed.get<std::string>()));
+    }
+  };
+  const Json::parser_callback_t watch = [&](int depth, Json::parse_event_t event, const Json& parsed) {
+    watchNames(event, parsed);
     isList = isList || (depth == 0 && event == Json::parse_event_t::array_start);
     const bool isEnd = event == Json::parse_event_t::object_end || event == Json::parse_event_t::array_end ||
                        event == Json::parse_event_t::value;
@@ -35,10 +60,15 @@ Json parsedJson(std::string_view text) {
     }
     return true;
   };
+  if (text.empty()) {
+    fail("there is nothing in it");
+  }
   try {
     return Json::parse(text, watch);
   } catch (const Json::parse_error& error) {
-    fail(placeOf(text, error.byte) + " is not valid JSON");
+    fail(placeOf(text, error.byte) +
+         " is not valid JSON. A number must be finite, a text stand in double quotes, and commas only between "
+         "elements.");
   } catch (const Json::exception&) {
     fail("a number is too large to be finite");
   }

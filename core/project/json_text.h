@@ -21,8 +21,8 @@ class JsonTextError : public InvalidInput {
   std::size_t element;  ///< the element of it in which the mistake stands
 };
 
-/// Parses a text. Throws JsonTextError for what is not JSON, for numbers that no double holds, and for nesting
-/// deeper than anything that this program writes.
+/// Parses a text. Throws JsonTextError for what is not JSON, for numbers that no double holds, for a name that
+/// one object has twice, and for nesting deeper than anything that this program writes.
 Json parsedJson(std::string_view text);
 
 }  // namespace pbffd

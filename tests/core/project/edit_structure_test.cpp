@@ -66,6 +66,9 @@ class EditStructureTest : public QObject {
       }
     }
     QCOMPARE(pointOf(after(project, edits[3]), 1).strength, 2.0);
+    for (const double extreme : {1e308, 5e-324}) {
+      QVERIFY(contains(refusal(project, Strength{{3, {1}}, extreme}), "is not between 1e-100 and 1e+100"));
+    }
     QVERIFY(!pointOf(after(project, edits[4]), 2).enabled);
     QVERIFY(pointOf(after(project, edits[2]), 2).reach == Reach::all);
     QCOMPARE(pointOf(after(project, edits[6]), 1).name, std::string("Neck"));

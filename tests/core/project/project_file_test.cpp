@@ -162,6 +162,8 @@ class ProjectFileTest : public QObject {
     row("/levels/2/points/3/rest/axes/1", "[0,0,0]", "no length");
     row("/levels/2/points/3/pose/axes", "[[1,0,0],[1,0,0],[0,0,1]]", "singular");
     row("/levels/2/points/3/strength", "0", "above 0");
+    row("/levels/2/points/3/strength", "1e308", "not between");
+    row("/levels/2/points/3/binding/local", "[[0,0,0,0],[0,1,0,0],[0,0,1,0]]", "singular");
     row("/levels/2/points/3/kind", "\"odd\"", "\"odd\" is none of");
     row("/levels/2/points/3/binding/local", "[[1,0,0,0],[0,1,0,0]]", "three rows of four");
     row("/levels/2/points/3/binding", "null", "an object is expected");
@@ -219,6 +221,8 @@ class ProjectFileTest : public QObject {
     QVERIFY(contains(refusal(), "too large to be finite"));
     changeText("\"next_id\":", "\"deep\":" + std::string(5000, '[') + std::string(5000, ']') + ",\"next_id\":");
     QVERIFY(contains(refusal(), "nested"));
+    changeText("\"next_id\":", "\"next_id\":7,\"next_id\":");
+    QVERIFY(contains(refusal(), "\"next_id\" twice"));
     changeText("\"next_id\":", "\"big\":NaN,\"next_id\":");
     QVERIFY(contains(refusal(), "is not valid JSON"));
   }

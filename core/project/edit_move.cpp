@@ -60,7 +60,7 @@ Project applied(const EditScope& scope, const Move& edit) {
   requireUsable(edit);
   std::vector<Index> places;
   std::vector<Vec3> shifts;
-  for (const Target& target : targetsOf(scope.before, selected, edit.spread)) {
+  for (const Target& target : targetsOf(scope, selected, edit.spread)) {
     const Vec3& by = edit.by.size() == 1 ? edit.by[0] : edit.by[target.entry];
     if (target.weight != 0.0) {
       places.push_back(target.place);

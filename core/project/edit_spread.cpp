@@ -71,7 +71,8 @@ class Partners {
 
 }  // namespace
 
-std::vector<Target> targetsOf(const Project& project, const SelectedPlaces& selected, const Spread& spread) {
+std::vector<Target> targetsOf(const EditScope& scope, const SelectedPlaces& selected, const Spread& spread) {
+  const Project& project = scope.before;
   const Level& level = project.controls.levels[selected.level];
   requireUsable(spread, selected.places.size());
   const Partners partners(project, level, spread);
@@ -92,14 +93,25 @@ std::vector<Target> targetsOf(const Project& project, const SelectedPlaces& sele
                                                    : std::string("all of its points are locked"));
   }
   const std::size_t named = targets.size();
+  if (const std::size_t locked = selected.places.size() - named; locked > 0) {
+    scope.remarks.push_back(format("{} of {} points {} locked and stayed in place.", locked,
+                                   selected.places.size(), locked == 1 ? "is" : "are"));
+  }
+  std::size_t alone = 0;
   for (std::size_t k = 0; k < named; ++k) {
     const Target source = targets[k];
-    for (const auto& [partner, planes] : partners.of(source.place)) {
+    const auto found = partners.of(source.place);
+    alone += !spread.mirror.empty() && found.empty();
+    for (const auto& [partner, planes] : found) {
       if (!taken[partner] && !level[partner].locked) {
         taken[partner] = true;
         targets.push_back({partner, source.entry, source.weight, source.onPlanes, planes});
       }
     }
+  }
+  if (alone > 0) {
+    scope.remarks.push_back(format("{} of {} points {} no mirror partner, so nothing moved across from {}.",
+                                   alone, named, alone == 1 ? "has" : "have", alone == 1 ? "it" : "them"));
   }
   return targets;
 }

@@ -19,7 +19,8 @@ struct Target {
 };
 
 /// What the edit moves: the points of `where` that are not locked, then their mirror partners that are neither
-/// named themselves nor locked. Throws InvalidInput for weights that do not fit, and where all are locked.
-std::vector<Target> targetsOf(const Project& project, const SelectedPlaces& selected, const Spread& spread);
+/// named themselves nor locked. Remarks on those that stay for being locked, and on points without a partner.
+/// Throws InvalidInput for weights that do not fit, and where all are locked.
+std::vector<Target> targetsOf(const EditScope& scope, const SelectedPlaces& selected, const Spread& spread);
 
 }  // namespace pbffd

@@ -118,7 +118,7 @@ Project applied(const EditScope& scope, const Transform& edit) {
   const Vec3 planes = mirrorCenter(scope.before, edit.spread);
   ControlSet edited = before;
   Level& level = edited.levels[selected.level];
-  for (const Target& target : targetsOf(scope.before, selected, edit.spread)) {
+  for (const Target& target : targetsOf(scope, selected, edit.spread)) {
     ControlPoint point = level[target.place];
     applyTo(point, edit, target, pivot, planes);
     level.replace(target.place, std::move(point));

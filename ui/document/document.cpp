@@ -113,10 +113,12 @@ void Document::push(const Edit& edit, const EditResult& result, const EditOption
   if (remarks.isEmpty()) {
     return;
   }
-  // A placement always tells how it took the surface; it matters when it fell short.
+  // A placement always tells how it took the surface; it matters when it fell short. A gesture shows what it
+  // moved and what stayed.
   const auto* place = std::get_if<Place>(&edit.value());
   const bool isComplete = place != nullptr && committed_.controls.finest().size() >= place->options.points;
-  if (isComplete) {
+  const bool isGesture = std::holds_alternative<Move>(edit.value()) || std::holds_alternative<Transform>(edit.value());
+  if (isComplete || isGesture) {
     Q_EMIT informed(remarks.join(u' '));
   } else {
     Q_EMIT remarked(remarks.join(u' '));

@@ -148,7 +148,9 @@ class EditMoveTest : public QObject {
   void lockedPointsAreLeftOut() {
     Project before = projectWith();
     before = after(before, Lock{{3, {2}}, true});
-    const Project moved = after(before, Move{{3, {1, 2}}, {Vec3(1, 0, 0)}, Follow::none, {}});
+    const EditResult result = test::resultOf(before, Move{{3, {1, 2}}, {Vec3(1, 0, 0)}, Follow::none, {}});
+    const Project& moved = result.project;
+    QCOMPARE(result.remarks, std::vector<std::string>{"1 of 2 points is locked and stayed in place."});
     QVERIFY(pointOf(moved, 2).pose == pointOf(before, 2).pose);
     QVERIFY(!(pointOf(moved, 1).pose == pointOf(before, 1).pose));
     QVERIFY(contains(refusal(before, Move{{3, {2}}, {Vec3(1, 0, 0)}, Follow::none, {}}), "point 2 is locked"));
@@ -218,6 +220,17 @@ class EditMoveTest : public QObject {
     QVERIFY((pointOf(moved, 2).pose.center - pointOf(before, 2).pose.center - Vec3(-0.1, 0.2, 0.3)).norm() <
             1e-15);
     QVERIFY(pointOf(moved, 3).pose == pointOf(before, 3).pose);
+  }
+
+  void pointsWithoutAPartnerAreTold() {
+    Project before = symmetricProject();
+    before = after(before, Remove{{1, {2}}});
+    Move edit{{1, {1, 3}}, {Vec3(0.1, 0.2, 0.3)}, Follow::none, {}};
+    QVERIFY(test::resultOf(before, edit).remarks.empty());
+    edit.spread.mirror = {Axis::x};
+    const EditResult result = test::resultOf(before, edit);
+    QCOMPARE(result.remarks, std::vector<std::string>{
+                                 "1 of 2 points has no mirror partner, so nothing moved across from it."});
   }
 
   void pointsOnThePlaneStayOnIt() {

@@ -46,9 +46,13 @@ inline const ControlPoint& pointOf(const Project& project, PointId id) {
   throw InvalidInput("no such point");
 }
 
-inline Project after(const Project& project, const Edit& edit) {
+inline EditResult resultOf(const Project& project, const Edit& edit) {
   EditWorkspace workspace;
-  return apply(project, edit, workspace).project;
+  return apply(project, edit, workspace);
+}
+
+inline Project after(const Project& project, const Edit& edit) {
+  return resultOf(project, edit).project;
 }
 
 /// The message with which an edit is refused; empty where it is not.

@@ -16,10 +16,7 @@ constexpr int failed = 1;
 constexpr int wrongUsage = 2;
 
 /// Does the work, and says on standard error what could not be done.
-int perform(const cli::Action& action) {
-  cli::TerminalProgress terminal;
-  const Progress progress([&terminal](std::string_view stage, double share) { terminal.show(stage, share); });
-  const cli::InterruptWatch watch(progress);
+int perform(const cli::Action& action, cli::TerminalProgress& terminal, const Progress& progress) {
   const auto fail = [&terminal](const char* what) {
     terminal.clear();
     std::fprintf(stderr, "pbffd: %s\n", what);
@@ -38,9 +35,29 @@ int perform(const cli::Action& action) {
   }
 }
 
+/// Help and version are answers; everything else is wrong usage, and says what is right.
+int report(const CLI::App& app, const CLI::ParseError& error, const char* first) {
+  if (error.get_exit_code() == done) {
+    return app.exit(error);
+  }
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  if (chosen.empty() && first != nullptr && first[0] != '-') {
+    std::fprintf(stderr, "pbffd: '%s' is no command of this program.\n", first);
+  } else {
+    std::fprintf(stderr, "pbffd: %s\n", error.what());
+  }
+  std::fprintf(stderr, "Usage: pbffd %s ...; pbffd %s--help says more.\n",
+               chosen.empty() ? "COMMAND" : chosen.front()->get_name().c_str(),
+               chosen.empty() ? "" : (chosen.front()->get_name() + " ").c_str());
+  return wrongUsage;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::TerminalProgress terminal;
+  const Progress progress([&terminal](std::string_view stage, double share) { terminal.show(stage, share); });
+  const cli::InterruptWatch watch(progress);
   CLI::App app(
       "Point-based free-form deformation: place control points in and around a mesh, move them, and\n"
       "write the deformed mesh.",
@@ -60,7 +77,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == done ? done : wrongUsage;
+    return report(app, error, argc > 1 ? argv[1] : nullptr);
   }
-  return perform(action);
+  return perform(action, terminal, progress);
 }

@@ -1,7 +1,9 @@
 #include "app/cli/place_options.h"
 
 #include "core/base/error.h"
+#include "core/ffd/levels/hierarchy.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -63,7 +65,8 @@ std::string checkSites(const std::string& text) {
 PlacementOptions optionsFrom(const Given& given) {
   PlacementOptions options = given.paper ? paperOptions() : PlacementOptions{};
   take(given.points, options.points);
-  take(given.levels, options.levels);
+  // Few points allow few levels; only who asks for more is to hear of it.
+  options.levels = given.levels.value_or(std::min(options.levels, greatestLevelCount(options.points)));
   take(given.kernel, kernels, options.basis.kernel);
   take(given.sigma, options.basis.sigma);
   if (given.master) {

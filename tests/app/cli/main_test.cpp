@@ -51,8 +51,14 @@ class MainTest : public QObject {
     QFETCH(QStringList, arguments);
     const auto result = test::runPbffd(arguments);
     QCOMPARE(result.status, 2);
-    QVERIFY(!result.errors.isEmpty());
+    QVERIFY2(result.errors.startsWith("pbffd: "), result.errors.constData());
+    QVERIFY2(result.errors.contains("--help says more"), result.errors.constData());
     QVERIFY(result.output.isEmpty());
+  }
+
+  void unknownCommandIsNamed() {
+    QVERIFY(test::runPbffd({"destroy"}).errors.startsWith("pbffd: 'destroy' is no command of this program."));
+    QVERIFY(test::runPbffd({"info", "a.obj", "--loud"}).errors.contains("Usage: pbffd info"));
   }
 
   void fullStandardOutputIsAnError() {

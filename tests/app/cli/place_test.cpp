@@ -38,6 +38,20 @@ class PlaceTest : public QObject {
     QVERIFY(levels[1].toObject()["points"].toInt() < 200);
   }
 
+  void fewPointsGetTheLevelsTheyAllow() {
+    const test::CommandFolder folder;
+    const QString mesh = folder.writeObj("bar.obj", test::cylinder());
+    const QStringList three{"place", mesh, "-o", folder.path("a.pbffd"), "--points", "3"};
+    const auto result = test::runPbffd(three);
+    QVERIFY2(result.status == 0, result.errors);
+    const QJsonArray levels =
+        test::runPbffd({"info", folder.path("a.pbffd"), "--json"}).json()["levels"].toArray();
+    QCOMPARE(levels.size(), 2);
+    const auto asked = test::runPbffd(three + QStringList{"--levels", "3"});
+    QCOMPARE(asked.status, 1);
+    QVERIFY2(asked.errors.contains("3 points allow at most 2 levels"), asked.errors);
+  }
+
   void everyOptionIsTaken() {
     const test::CommandFolder folder;
     const QString mesh = folder.writeObj("bar.obj", test::cylinder());

@@ -182,7 +182,8 @@ void requireStrength(double strength) {
   }
   constexpr double greatest = 1e100;
   if (strength > greatest || strength < 1.0 / greatest) {
-    throw InvalidInput(format("a strength of {:g} is not between {:g} and {:g}", strength, 1.0 / greatest, greatest));
+    throw InvalidInput(
+        format("a strength of {:g} is not between {:g} and {:g}", strength, 1.0 / greatest, greatest));
   }
 }
 

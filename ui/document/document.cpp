@@ -117,7 +117,8 @@ void Document::push(const Edit& edit, const EditResult& result, const EditOption
   // moved and what stayed.
   const auto* place = std::get_if<Place>(&edit.value());
   const bool isComplete = place != nullptr && committed_.controls.finest().size() >= place->options.points;
-  const bool isGesture = std::holds_alternative<Move>(edit.value()) || std::holds_alternative<Transform>(edit.value());
+  const bool isGesture =
+      std::holds_alternative<Move>(edit.value()) || std::holds_alternative<Transform>(edit.value());
   if (isComplete || isGesture) {
     Q_EMIT informed(remarks.join(u' '));
   } else {

@@ -20,8 +20,8 @@ class vtkRenderer;
 namespace pbffd::ui {
 
 /// The layers of the view and the actors in them, from back to front:
-/// background and ghost; the surface, its edges and the ground; regions, the hierarchy, points and the gizmo, which see the
-/// depth of the surface. All positions relative to one origin.
+/// background and ghost; the surface, its edges and the ground; regions, the hierarchy, points and the gizmo,
+/// which see the depth of the surface. All positions relative to one origin.
 class Scene {
  public:
   explicit Scene(vtkRenderWindow& window);

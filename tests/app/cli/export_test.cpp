@@ -37,8 +37,9 @@ class ExportTest : public QObject {
   void whatTheFormatCannotHoldIsTold() {
     const test::CommandFolder folder;
     const QString mesh =
-        folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n"
-                              "f 1/1 2/2 4/3\nf 2/2 3/3 4/1\nf 3/3 1/1 4/2\n");
+        folder.write("a.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n"
+                     "f 1/1 2/2 4/3\nf 2/2 3/3 4/1\nf 3/3 1/1 4/2\n");
     QCOMPARE(test::runPbffd({"place", mesh, "-o", folder.path("a.pbffd"), "--points", "4"}).status, 0);
     const auto result = test::runPbffd({"export", folder.path("a.pbffd"), "-o", folder.path("b.stl")});
     QCOMPARE(result.status, 0);

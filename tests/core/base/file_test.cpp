@@ -1,5 +1,5 @@
-#include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/error.h"
 #include "tests/support/test_main.h"
 
 #include <QTemporaryDir>

@@ -229,8 +229,8 @@ class EditMoveTest : public QObject {
     QVERIFY(test::resultOf(before, edit).remarks.empty());
     edit.spread.mirror = {Axis::x};
     const EditResult result = test::resultOf(before, edit);
-    QCOMPARE(result.remarks, std::vector<std::string>{
-                                 "1 of 2 points has no mirror partner, so nothing moved across from it."});
+    QCOMPARE(result.remarks,
+             std::vector<std::string>{"1 of 2 points has no mirror partner, so nothing moved across from it."});
   }
 
   void pointsOnThePlaneStayOnIt() {

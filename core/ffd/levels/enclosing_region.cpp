@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,14 +39,21 @@ Mat3 quadricOf(const Unknowns& z) {
 /// interior point method, so that what it ends with encloses both, however far it came.
 class LeastEllipsoid {
  public:
-  explicit LeastEllipsoid(const std::array<Frame, 2>& inner) : inner_(inner) {}
+  explicit LeastEllipsoid(const std::array<Frame, 2>& inner) : inner_(inner) {
+    for (int k = 0; k < unknowns; ++k) {
+      const Unknowns unit = Unknowns::Unit(k);
+      quadrics_[k] = quadricOf(unit);
+      conditions_[0][k] = condition(0, unit, 0.0);
+      conditions_[1][k] = condition(1, unit, 0.0);
+    }
+  }
 
   /// For regions within the unit sphere about the origin.
   Mat3 solve() const {
     Unknowns z;
     z << 0.25, 0, 0, 0.25, 0, 0.25, 0.5, 0.5;
     // The volume that is left to gain is below 4 times the last share.
-    for (double share = 1.0; share > 1e-9; share *= 0.2) {
+    for (double share = 1.0; share > 1e-7; share *= 0.05) {
       z = minimized(z, share);
     }
     return quadricOf(z);
@@ -82,19 +90,19 @@ class LeastEllipsoid {
 
   struct Derivatives {
     Unknowns gradient = Unknowns::Zero();
-    Curvature hessian = Curvature::Zero();
+    Curvature hessian = Curvature::Zero();  ///< its lower triangle
 
     /// Adds those of -weight * log det of a matrix, given how it changes with each unknown.
     template <class Matrix>
     void add(const Matrix& matrix, const std::array<Matrix, unknowns>& changes, double weight) {
-      const Eigen::LLT<Matrix> factor(matrix);
+      const Matrix inverse = matrix.inverse();
       std::array<Matrix, unknowns> solved;
       for (int k = 0; k < unknowns; ++k) {
-        solved[k] = factor.solve(changes[k]);
+        solved[k].noalias() = inverse * changes[k];
         gradient[k] -= weight * solved[k].trace();
       }
       for (int k = 0; k < unknowns; ++k) {
-        for (int l = 0; l < unknowns; ++l) {
+        for (int l = 0; l <= k; ++l) {
           hessian(k, l) += weight * solved[k].cwiseProduct(solved[l].transpose()).sum();
         }
       }
@@ -102,18 +110,10 @@ class LeastEllipsoid {
   };
 
   Derivatives derivatives(const Unknowns& z, double share) const {
-    std::array<Mat3, unknowns> quadrics;
-    std::array<Mat4, unknowns> firsts;
-    std::array<Mat4, unknowns> seconds;
-    for (int k = 0; k < unknowns; ++k) {
-      quadrics[k] = quadricOf(Unknowns::Unit(k));
-      firsts[k] = condition(0, Unknowns::Unit(k), 0.0);
-      seconds[k] = condition(1, Unknowns::Unit(k), 0.0);
-    }
     Derivatives sum;
-    sum.add(quadricOf(z), quadrics, 1.0);
-    sum.add(condition(0, z, 1.0), firsts, share);
-    sum.add(condition(1, z, 1.0), seconds, share);
+    sum.add(quadricOf(z), quadrics_, 1.0);
+    sum.add(condition(0, z, 1.0), conditions_[0], share);
+    sum.add(condition(1, z, 1.0), conditions_[1], share);
     return sum;
   }
 
@@ -125,8 +125,8 @@ class LeastEllipsoid {
       const Derivatives at = derivatives(z, share);
       const Unknowns step = -at.hessian.ldlt().solve(at.gradient);
       const double slope = at.gradient.dot(step);
-      // A tenth of what the share leaves undecided is near enough.
-      if (!(-slope > 0.1 * share)) {
+      // What the share leaves undecided anyway is near enough.
+      if (!(-slope > share)) {
         break;
       }
       const double before = value(z, share);
@@ -143,6 +143,9 @@ class LeastEllipsoid {
   }
 
   const std::array<Frame, 2>& inner_;
+  /// How the quadric and the conditions change with each unknown.
+  std::array<Mat3, unknowns> quadrics_;
+  std::array<std::array<Mat4, unknowns>, 2> conditions_;
 };
 
 Frame enclosingEllipsoid(const Frame& first, const Frame& second) {

@@ -1,11 +1,13 @@
 #include "core/ffd/levels/hierarchy.h"
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/ffd/frame_checks.h"
 #include "core/ffd/placement/decimation.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pbffd {
 namespace {
@@ -21,6 +23,19 @@ void absorb(Group& kept, const Group& gone, RegionShape shape) {
   kept.rest = enclosingRegion(kept.rest, gone.rest, shape);
   kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
   kept.reachesAll = kept.reachesAll && gone.reachesAll;
+}
+
+/// The merges that each point is the outcome of, in their order; empty for points that are gone.
+std::vector<std::vector<Merge>> mergesByOutcome(const std::vector<Merge>& merges, std::size_t points) {
+  std::vector<Index> outcome(points);
+  std::iota(outcome.begin(), outcome.end(), 0);
+  std::for_each(merges.rbegin(), merges.rend(),
+                [&](const Merge& merge) { outcome[merge.gone] = outcome[merge.kept]; });
+  std::vector<std::vector<Merge>> byOutcome(points);
+  for (const Merge& merge : merges) {
+    byOutcome[outcome[merge.kept]].push_back(merge);
+  }
+  return byOutcome;
 }
 
 Points restCentres(const Level& level) {
@@ -86,9 +101,15 @@ Level coarserLevel(const Level& finer, PointId& nextId, RegionShape shape) {
     groups.push_back({point.rest, {point.id}, point.reach == Reach::all});
   }
   const MergedPoints merged = mergeClosestPairs(restCentres(finer), finer.size() / 2);
-  for (const Merge& merge : merged.merges) {
-    absorb(groups[merge.kept], groups[merge.gone], shape);
-  }
+  const auto merges = mergesByOutcome(merged.merges, groups.size());
+  constexpr std::size_t grain = 8;
+  parallelFor(merges.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const Merge& merge : merges[i]) {
+        absorb(groups[merge.kept], groups[merge.gone], shape);
+      }
+    }
+  });
   Level level;
   for (const Index place : merged.places) {
     level.append(mergedPoint(nextId++, std::move(groups[place])));

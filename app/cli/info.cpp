@@ -119,8 +119,9 @@ std::string meshText(const Json& mesh) {
 std::string projectText(const Json& project) {
   std::string text;
   for (const auto& level : project["levels"]) {
+    const auto points = level["points"].get<std::int64_t>();
     text += row(format("Level {}", level["level"].get<int>()),
-                format("{} control points", grouped(level["points"].get<std::int64_t>())));
+                format("{} control point{}", grouped(points), points == 1 ? "" : "s"));
   }
   return text;
 }

@@ -113,7 +113,12 @@ void PointCommands::connectView(Actions& actions) {
   on(ActionId::orthographic, [this] { view_.setOrthographic(!view_.isOrthographic()); });
 }
 
+/// The selection comes along: as its children on a finer level, its parents on a coarser one.
 void PointCommands::moveLevel(int by) {
+  if (!document_.selection().isEmpty()) {
+    selectRelated(by);
+    return;
+  }
   const int levels = static_cast<int>(document_.shown().controls.levels.size());
   document_.selection().setLevel(std::clamp(document_.selection().level() + by, 1, levels));
 }

@@ -236,6 +236,10 @@ void MainWindowTest::theEditLevelIsAKey() {
   QCOMPARE(document().selection().points().size(), std::size_t{100});
   action(ActionId::levelDown).trigger();
   QCOMPARE(document().selection().level(), 3);
+  QCOMPARE(document().selection().points().size(), std::size_t{200});
+  action(ActionId::selectNone).trigger();
+  action(ActionId::levelUp).trigger();
+  QCOMPARE(document().selection().level(), 2);
 }
 
 void MainWindowTest::themesSwitchLive() {

@@ -241,9 +241,11 @@ void Document::refreshDeformation(bool measured) {
   const auto weights = workspace_->weights.parameterization(project.mesh, project.controls);
   if (!deformation_ || weights != parameterization_) {
     parameterization_ = weights;
-    deformation_ = std::make_unique<LiveDeformation>(project.mesh, weights);
+    deformation_ = ready_.weights == weights ? std::move(ready_.deformation)
+                                             : std::make_unique<LiveDeformation>(project.mesh, weights);
     measured = false;
   }
+  ready_ = {};
   const Index moved = deformation_->update(mapsOf(project.controls, project.controls.finest()));
   if (measured) {
     lastMovedVertices_ = moved;

@@ -120,9 +120,16 @@ class Document : public QObject {
  private:
   friend class ChangeProject;
   struct Opened;
+  /// Made off the UI thread, for refreshDeformation() to find.
+  struct ReadyDeformation {
+    std::shared_ptr<const Parameterization> weights;
+    std::unique_ptr<LiveDeformation> deformation;
+  };
 
   static Opened read(const QString& path, const Progress& progress);
-  void adopt(const Opened& file);
+  static ReadyDeformation readyDeformation(const Project& project, EditWorkspace& workspace,
+                                           const Progress& progress);
+  void adopt(Opened& file);
   void setCommitted(const Project& project);
   void showCommitted();
   void show(const Project& before, bool measured);
@@ -144,6 +151,7 @@ class Document : public QObject {
   std::shared_ptr<EditWorkspace> workspace_;
   std::shared_ptr<const Parameterization> parameterization_;
   std::unique_ptr<LiveDeformation> deformation_;
+  ReadyDeformation ready_;
   QUndoStack* history_;
   Selection* selection_;
   JobRunner* jobs_;

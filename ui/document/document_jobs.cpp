@@ -67,7 +67,17 @@ struct Document::Opened {
   QString path;
   bool isProject = false;
   std::shared_ptr<EditWorkspace> workspace = std::make_shared<EditWorkspace>();
+  ReadyDeformation ready;
 };
+
+Document::ReadyDeformation Document::readyDeformation(const Project& project, EditWorkspace& workspace,
+                                                      const Progress& progress) {
+  auto weights = workspace.weights.parameterization(project.mesh, project.controls, progress);
+  auto deformation = std::make_unique<LiveDeformation>(project.mesh, weights);
+  deformation->update(mapsOf(project.controls, project.controls.finest()));
+  progress.throwIfCancelled();
+  return {std::move(weights), std::move(deformation)};
+}
 
 Document::Opened Document::read(const QString& path, const Progress& progress) {
   Opened file;
@@ -82,7 +92,7 @@ Document::Opened Document::read(const QString& path, const Progress& progress) {
     refuseUnplaceable(*file.project.mesh, path);
   }
   prepare(*file.project.mesh, progress);
-  file.workspace->weights.parameterization(file.project.mesh, file.project.controls, progress);
+  file.ready = readyDeformation(file.project, *file.workspace, progress);
   return file;
 }
 
@@ -90,7 +100,7 @@ void Document::open(const QString& path, const PlacementOptions& options) {
   jobs_->cancel("place");
   jobs_->start({"open", tr("Opening %1").arg(QFileInfo(path).fileName()),
                 [this, path, options](const Progress& progress) -> JobRunner::Deliver {
-                  const auto file = std::make_shared<const Opened>(read(path, progress));
+                  const auto file = std::make_shared<Opened>(read(path, progress));
                   return [this, file, options] {
                     adopt(*file);
                     if (!file->isProject) {
@@ -100,7 +110,7 @@ void Document::open(const QString& path, const PlacementOptions& options) {
                 }});
 }
 
-void Document::adopt(const Opened& file) {
+void Document::adopt(Opened& file) {
   cancelPreview();
   history_->clear();
   shownBefore_.reset();
@@ -111,6 +121,7 @@ void Document::adopt(const Opened& file) {
   path_ = file.isProject ? file.path : QString();
   lastPlacementSeconds_ = 0.0;
   parameterization_.reset();
+  ready_ = std::move(file.ready);
   refreshDeformation(false);
   lastMovedVertices_ = 0;
   lastMilliseconds_ = 0.0;
@@ -131,8 +142,9 @@ void Document::performInBackground(const Edit& edit, const EditOptions& options)
     timer.start();
     const auto result = std::make_shared<const EditResult>(apply(base, edit, *workspace, progress));
     const double seconds = 1e-9 * static_cast<double>(timer.nsecsElapsed());
-    workspace->weights.parameterization(result->project.mesh, result->project.controls, progress);
-    return [this, edit, options, isPlacement, revision, result, seconds] {
+    const auto ready =
+        std::make_shared<ReadyDeformation>(readyDeformation(result->project, *workspace, progress));
+    return [this, edit, options, isPlacement, revision, result, seconds, ready] {
       if (revision != revision_) {
         Q_EMIT remarked(
             tr("The result was dropped, because the project changed in the meantime. Do it again."));
@@ -143,6 +155,7 @@ void Document::performInBackground(const Edit& edit, const EditOptions& options)
       if (isPlacement) {
         lastPlacementSeconds_ = seconds;
       }
+      ready_ = std::move(*ready);
       push(edit, *result, options);
       if (isFirst) {
         history_->setClean();

@@ -74,27 +74,48 @@ MeshActor::MeshActor(vtkRenderer& renderer) {
 MeshActor::~MeshActor() = default;
 
 void MeshActor::setMesh(std::shared_ptr<const RestMesh> mesh, const SurfaceBuffers& buffers) {
-  mesh_ = std::move(mesh);
+  if (mesh != mesh_) {
+    clear();
+    mesh_ = std::move(mesh);
+  }
+  if (mesh_ != nullptr && !buffers.positions->empty()) {
+    setBuffers(buffers);
+  }
+  updateActors();
+}
+
+void MeshActor::clear() {
   hasEdges_ = false;
   clearData(*surfaceData_);
   clearData(*edgeData_);
   clearData(*vertexData_);
   points_ = nullptr;
   normals_ = nullptr;
-  if (mesh_ != nullptr && !buffers.positions->empty()) {
-    points_ = borrowedPoints(*buffers.positions);
+}
+
+/// Cells and edges stay where they are of the same mesh.
+void MeshActor::setBuffers(const SurfaceBuffers& buffers) {
+  const bool isFirst = points_ == nullptr;
+  points_ = borrowedPoints(*buffers.positions);
+  if (isFirst) {
     roughEdgeLength_ = roughEdgeLength(*mesh_);
-    if (buffers.triangles->empty()) {
-      vertexData_->SetPoints(points_);
-      vertexData_->SetVerts(cellsOf(countedTo(buffers.positions->size() / 3), 1));
-    } else {
-      normals_ = borrowedArray(*buffers.normals, 3, "Normals");
-      surfaceData_->SetPoints(points_);
-      surfaceData_->GetPointData()->SetNormals(normals_);
-      surfaceData_->SetPolys(cellsOf(*buffers.triangles, 3));
-    }
   }
-  updateActors();
+  if (buffers.triangles->empty()) {
+    vertexData_->SetPoints(points_);
+    if (isFirst) {
+      vertexData_->SetVerts(cellsOf(countedTo(buffers.positions->size() / 3), 1));
+    }
+    return;
+  }
+  normals_ = borrowedArray(*buffers.normals, 3, "Normals");
+  surfaceData_->SetPoints(points_);
+  surfaceData_->GetPointData()->SetNormals(normals_);
+  if (isFirst) {
+    surfaceData_->SetPolys(cellsOf(*buffers.triangles, 3));
+  }
+  if (hasEdges_) {
+    edgeData_->SetPoints(points_);
+  }
 }
 
 void MeshActor::positionsChanged() {

@@ -53,6 +53,8 @@ class MeshActor {
   void setPixelRatio(double ratio);
 
  private:
+  void clear();
+  void setBuffers(const SurfaceBuffers& buffers);
   void updateActors();
   void makeEdges();
   bool areEdgesSeen() const;

@@ -16,8 +16,7 @@ namespace pbffd::ui {
 class PassMapper : public vtkOpenGLPolyDataMapper {
  public:
   static PassMapper* New();
-  vtkTypeMacro(PassMapper, vtkOpenGLPolyDataMapper)
-  PassMapper(const PassMapper&) = delete;
+  vtkTypeMacro(PassMapper, vtkOpenGLPolyDataMapper) PassMapper(const PassMapper&) = delete;
   PassMapper& operator=(const PassMapper&) = delete;
 
   enum class DepthTest { inFront, behind, always };

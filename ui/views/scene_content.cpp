@@ -84,10 +84,9 @@ bool SceneContent::bringUpToDate(Scene& scene) {
 void SceneContent::updateSurface(Scene& scene) {
   if (std::exchange(hasOtherBuffers_, false)) {
     scene.mesh().setMesh(surface_.mesh(), surface_.buffers());
-    if (surface_.mesh() != nullptr) {
-      scene.ghost().setMesh(*surface_.mesh(), origin(), *surface_.buffers().triangles);
-    } else {
+    if (hasOtherMesh_) {
       scene.ghost().clear();
+      hasGhost_ = false;
     }
     invalidate(everything);
   } else if ((stale_ & positions) != 0) {
@@ -117,6 +116,10 @@ void SceneContent::updateDisplay(Scene& scene) {
   const bool isSeeThrough = view_.displayMode() == DisplayMode::seeThrough;
   scene.mesh().setMode(view_.displayMode());
   scene.mesh().setVisible(view_.isMeshShown());
+  if (view_.isGhostShown() && !hasGhost_ && surface_.mesh() != nullptr) {
+    scene.ghost().setMesh(*surface_.mesh(), origin(), *surface_.buffers().triangles);
+    hasGhost_ = true;
+  }
   scene.ghost().setVisible(view_.isGhostShown());
   scene.setPeeling(isSeeThrough && view_.isMeshShown());
   updateGrid(scene);

@@ -66,6 +66,7 @@ class SceneContent {
   unsigned stale_ = everything;
   bool hasOtherBuffers_ = true;
   bool hasOtherMesh_ = true;
+  bool hasGhost_ = false;  ///< made when it is first seen
   PointId hovered_ = 0;
   std::set<PointId> selected_;
   double gridSpacing_ = 0.0;

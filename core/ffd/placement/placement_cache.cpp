@@ -51,21 +51,18 @@ Samples samplesFor(const SurfaceParts& parts, const PlacementCache::Ground& grou
   return samples;
 }
 
-/// On another thread, since Qhull knows one only. What it throws comes out of get().
-std::future<std::shared_ptr<const PointPool>> startInterior(const SurfaceParts& parts,
-                                                            const SurfaceSamples& sites,
-                                                            const Progress& progress) {
-  return std::async(std::launch::async, [&parts, sites = samplesOf(parts, sites, true), progress] {
-    return std::make_shared<const PointPool>(voronoiPointsInside(parts, sites, progress));
-  });
-}
-
 PlacementCache::Outside chooseOutside(const PointPool& pool, const PlacementOptions& options,
                                       const SurfaceParts& parts, const Progress& progress) {
   const Index target = std::min(wantedShares(options, parts).exterior, pool.size());
   return {target,
           std::make_shared<const PointPool>(decimatedPool(pool, target, Side::outside, parts, progress))};
 }
+
+/// The exterior points, and what follows from them and the mesh alone.
+struct Exterior {
+  std::shared_ptr<const ExteriorPools> pools;
+  PlacementCache::Outside outside;
+};
 
 /// Has the mesh work out what the regions will ask for.
 void warmUp(const RestMesh& mesh, Reach reach) {
@@ -106,19 +103,26 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   const SurfaceParts& parts = *made->parts;
   progress.report("Placing points: sites");
   const Samples samples = samplesFor(parts, made->ground);
-  std::future<std::shared_ptr<const PointPool>> interior;
-  if (sameGround) {
-    made->interior = before->interior;
-  } else {
-    interior = startInterior(parts, samples.sites, progress);
-  }
-  made->exterior = std::make_shared<const ExteriorPools>(
-      exteriorPools(parts, samples.exterior, options.offset * mesh->diagonal(), progress));
-  if (!sameGround) {
-    made->outside = chooseOutside(made->exterior->outside, options, parts, progress);
-    warmUp(*mesh, options.reach);
-    made->interior = interior.get();
-  }
+  const auto makeExterior = [&] {
+    Exterior exterior;
+    exterior.pools = std::make_shared<const ExteriorPools>(
+        exteriorPools(parts, samples.exterior, options.offset * mesh->diagonal(), progress));
+    if (!sameGround) {
+      exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
+      warmUp(*mesh, options.reach);
+    }
+    return exterior;
+  };
+  // Beside the interior points, since Qhull knows one thread only. That one stays this one: its memory is at
+  // hand again the next time.
+  std::future<Exterior> exterior =
+      std::async(sameGround ? std::launch::deferred : std::launch::async, makeExterior);
+  made->interior = sameGround ? before->interior
+                              : std::make_shared<const PointPool>(voronoiPointsInside(
+                                    parts, samplesOf(parts, samples.sites, true), progress));
+  const Exterior around = exterior.get();
+  made->exterior = around.pools;
+  made->outside = around.outside;
   return made;
 }
 

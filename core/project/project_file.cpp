@@ -38,7 +38,7 @@ ProjectDocument readDocument(const std::filesystem::path& path, const Archive& a
   }
   const Json json = parsedDocument(path, member->bytes);
   try {
-    return documentFrom(migrated(json, path.filename().string()));
+    return documentFrom(migrated(json, path.string()));
   } catch (const NewerVersion&) {
     throw;
   } catch (const InvalidInput& error) {

@@ -110,15 +110,15 @@ MeshFormat formatOfEnding(const std::filesystem::path& path) {
 Mesh readMesh(const std::filesystem::path& path, const Progress& progress) {
   std::error_code unknown;
   if (formatOfEnding(path) == MeshFormat::none && std::filesystem::is_regular_file(path, unknown)) {
-    failUnknownFormat(path.filename().string());
+    failUnknownFormat(path.string());
   }
   progress.report("Reading the mesh");
-  return parseMesh(std::make_shared<const std::string>(readFile(path)), path.filename().string(), progress);
+  return parseMesh(std::make_shared<const std::string>(readFile(path)), path.string(), progress);
 }
 
 Mesh parseMesh(std::shared_ptr<const std::string> bytes, const std::string& name, const Progress& progress) {
   const MeshFormat meshFormat = formatOfEnding(name);
-  const io::Input input{*bytes, std::filesystem::path(name).filename().string(), progress};
+  const io::Input input{*bytes, name, progress};
   if (bytes->empty() && meshFormat != MeshFormat::none) {
     input.fail("The file is empty", "Export it again.");
   }
@@ -128,7 +128,7 @@ Mesh parseMesh(std::shared_ptr<const std::string> bytes, const std::string& name
                "Make sure that it is a mesh and that its ending is that of its format.");
   }
   remarkOnThinFaces(mesh);
-  mesh.source = {input.name, meshFormat, std::move(bytes)};
+  mesh.source = {std::filesystem::path(name).filename().string(), meshFormat, std::move(bytes)};
   return mesh;
 }
 

@@ -13,11 +13,12 @@ namespace pbffd {
 /// The format that a file's ending stands for, in any case; `none` for an unknown ending.
 MeshFormat formatOfEnding(const std::filesystem::path& path);
 
-/// Reads OBJ, OFF, PLY or STL, by the ending. Throws IoError, or InvalidInput that names the file and the
-/// line (text) or byte (binary), what is wrong there and what to try.
+/// Reads OBJ, OFF, PLY or STL, by the ending. Throws IoError, or InvalidInput that names the file as `path`
+/// does and the line (text) or byte (binary), what is wrong there and what to try.
 Mesh readMesh(const std::filesystem::path& path, const Progress& progress = {});
 
-/// The same from memory; `name` (with its ending) stands for the file in messages and in Mesh::source.
+/// The same from memory; `name` (with its ending) stands for the file in messages, and without its folder in
+/// Mesh::source.
 Mesh parseMesh(std::shared_ptr<const std::string> bytes, const std::string& name,
                const Progress& progress = {});
 

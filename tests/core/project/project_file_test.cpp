@@ -136,8 +136,8 @@ class ProjectFileTest : public QObject {
       json["levels"] = "something else";
     });
     QCOMPARE(refusal(),
-             std::string("ball.pbffd was made by a newer version (file version 2, this program reads 1). "
-                         "Update the program to open it."));
+             path().string() + " was made by a newer version (file version 2, this program reads 1). "
+                               "Update the program to open it.");
   }
 
   void damagedDocumentsAreRefused_data() {

@@ -40,6 +40,16 @@ Mesh dressedCube() {
   return mesh;
 }
 
+/// The message of the InvalidInput that reading a file ends in.
+std::string messageOf(const std::filesystem::path& path) {
+  try {
+    readMesh(path);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
 }  // namespace
 
 class MeshIoTest : public QObject {
@@ -72,11 +82,20 @@ class MeshIoTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(readMesh(folder.path().toStdString()), IoError);
   }
 
+  void messagesNameTheFileAsItWasNamed() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("a.obj").toStdString();
+    writeFileAtomically(path, "v 1 2 3\nf 1 2 3\n");
+    const std::string said = messageOf(path);
+    QVERIFY2(said.starts_with("Could not read " + path.string() + ". Line 2: "), said.c_str());
+  }
+
   void unknownEndingsAreRefused() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("a.xyz").toStdString();
     writeFileAtomically(path, "v 1 2 3\n");
     QVERIFY_EXCEPTION_THROWN(readMesh(path), InvalidInput);
+    QVERIFY(messageOf(path).starts_with("Could not read " + path.string() + ". Its ending"));
     QVERIFY_EXCEPTION_THROWN(parsed("a", "v 1 2 3\n"), InvalidInput);
     const Mesh mesh = cube();
     QVERIFY_EXCEPTION_THROWN(encodeMesh(mesh, atRest(mesh), MeshFormat::none), InvalidInput);

@@ -87,6 +87,9 @@ Edit moveFrom(const JsonReader& reader) {
   const bool isOneEach = by.value().is_array() && !by.value().empty() && by.value().front().is_array();
   edit.by = isOneEach ? listFrom<Vec3>(by, [](const JsonReader& one) { return one.vector(); })
                       : std::vector<Vec3>{by.vector()};
+  if (isOneEach && edit.by.size() != edit.where.points.size()) {
+    by.fail(format("it has {} vectors for {} points", edit.by.size(), edit.where.points.size()));
+  }
   if (reader.has("follow")) {
     edit.follow = followFrom(reader.at("follow"));
   }

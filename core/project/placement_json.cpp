@@ -1,5 +1,7 @@
+#include "core/ffd/levels/hierarchy.h"
 #include "core/project/json_reader.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace pbffd {
@@ -34,10 +36,15 @@ PlacementOptions placementFrom(const JsonReader& reader) {
   const bool isPaper = reader.has("paper") && reader.at("paper").boolean();
   PlacementOptions options = isPaper ? paperOptions() : PlacementOptions{};
   read("points", options.points, wholeNumber);
+  // As on the command line: few points allow few levels; only who asks for more is to hear of it.
+  options.levels = std::min(options.levels, greatestLevelCount(options.points));
   read("levels", options.levels, wholeNumber);
   read("kernel", options.basis.kernel, kernelFrom);
   read("sigma", options.basis.sigma, number);
-  read("master", options.master, number);
+  if (reader.has("master")) {
+    options.master = number(reader.at("master"));
+    options.masterMode = MasterMode::constant;
+  }
   read("master_mode", options.masterMode, masterModeFrom);
   read("radius_factor", options.radiusFactor, number);
   read("offset", options.offset, number);

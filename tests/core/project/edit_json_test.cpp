@@ -74,6 +74,11 @@ class EditJsonTest : public QObject {
     paper.points = 77;
     paper.sites = 500;
     QVERIFY(place(R"({"place":{"paper":true,"points":77,"sites":500}})").options == paper);
+    const PlacementOptions given = place(R"({"place":{"paper":true,"master":0.2}})").options;
+    QVERIFY(given.masterMode == MasterMode::constant);
+    QCOMPARE(given.master, 0.2);
+    QCOMPARE(place(R"({"place":{"points":3}})").options.levels, 2);
+    QCOMPARE(place(R"({"place":{"points":3,"levels":3}})").options.levels, 3);
   }
 
   void mistakesAreNamedWithTheirPlace_data() {
@@ -85,6 +90,7 @@ class EditJsonTest : public QObject {
     row(R"([{"reset":{}},{"move":{"points":[1],"by":[1,2]}}])",
         "e.json: edit 2 (move): /1/move/by: a list of three numbers");
     row(R"([{"move":{"points":[1],"by":[1,2,"3"]}}])", "/0/move/by/2: a number is expected");
+    row(R"([{"move":{"points":[1,2],"by":[[1,2,3]]}}])", "/0/move/by: it has 1 vectors for 2 points");
     row(R"([{"move":{"points":[1.5],"by":[1,2,3]}}])", "/0/move/points/0: a whole number is expected");
     row(R"([{"move":{"points":[-1],"by":[1,2,3]}}])", "is not from 1 to");
     row(R"([{"move":{"points":[1],"by":[1,2,3],"speed":1}}])", "the key \"speed\" is not known");

@@ -67,8 +67,8 @@ Json parsedJson(std::string_view text) {
     return Json::parse(text, watch);
   } catch (const Json::parse_error& error) {
     fail(placeOf(text, error.byte) +
-         " is not valid JSON. A number must be finite, a text stand in double quotes, and commas only between "
-         "elements.");
+         " is not valid JSON: a number must be finite, a text stand in double quotes, and commas only between "
+         "elements");
   } catch (const Json::exception&) {
     fail("a number is too large to be finite");
   }

@@ -19,8 +19,8 @@ void requirePlaceable(const RestMesh& mesh) {
   constexpr auto what = "Control points cannot be placed: ";
   if (mesh.mesh().faces.empty() || mesh.triangles().size() == 0) {
     throw InvalidInput(
-        format("{}the mesh has {} vertices but no faces. Open a mesh with a surface, or add points by "
-               "hand.",
+        format("{}the mesh has {} vertices, but no faces that span a surface. Take a mesh with faces; if it "
+               "should have some, export it again.",
                what, mesh.vertexCount()));
   }
   for (Index v = 0; v < mesh.vertexCount(); ++v) {

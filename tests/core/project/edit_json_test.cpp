@@ -109,7 +109,7 @@ class EditJsonTest : public QObject {
     row(R"([{"levels":{"count":2.5}}])", "a whole number");
     row(R"([{"place":{"points":1e999}}])", "e.json, edit 1 (at /0): a number is too large");
     row(R"([{"reset":{}},{"strength":{"points":[1],"value":NaN}}])",
-        "e.json, edit 2 (at /1): line 1, column 49 is not valid JSON. A number must be finite");
+        "e.json, edit 2 (at /1): line 1, column 49 is not valid JSON: a number must be finite");
     row("[{\"reset\":{}},\n{\"reset\":{}", "edit 2 (at /1): line 2");
     row("", "e.json: there is nothing in it");
     row(R"([{"strength":{"points":[1],"value":2,"value":3}}])",

@@ -56,19 +56,22 @@ Json describeMesh(const RestMesh& mesh) {
   for (const Attribute& attribute : mesh.mesh().attributes) {
     attributes.push_back(attribute.name);
   }
-  return {{"kind", "mesh"},
-          {"vertices", mesh.vertexCount()},
-          {"faces", mesh.mesh().faces.size()},
-          {"triangles", mesh.triangles().size()},
-          {"polygons", polygons},
-          {"components", topology.components},
-          {"boundary_edges", topology.boundaryEdges},
-          {"nonmanifold_edges", topology.nonmanifoldEdges},
-          {"isolated_vertices", topology.isolatedVertices},
-          {"closed", topology.isClosed},
-          {"bounds", Json::array({toJson(mesh.bounds().low), toJson(mesh.bounds().high)})},
-          {"attributes", attributes},
-          {"remarks", mesh.mesh().remarks}};
+  Json description{{"kind", "mesh"},
+                   {"vertices", mesh.vertexCount()},
+                   {"faces", mesh.mesh().faces.size()},
+                   {"triangles", mesh.triangles().size()},
+                   {"polygons", polygons},
+                   {"components", topology.components},
+                   {"boundary_edges", topology.boundaryEdges},
+                   {"nonmanifold_edges", topology.nonmanifoldEdges},
+                   {"isolated_vertices", topology.isolatedVertices},
+                   {"closed", topology.isClosed},
+                   {"bounds", Json::array({toJson(mesh.bounds().low), toJson(mesh.bounds().high)})},
+                   {"attributes", attributes}};
+  if (!mesh.mesh().remarks.empty()) {
+    description["remarks"] = mesh.mesh().remarks;
+  }
+  return description;
 }
 
 Json describeProject(const Project& project) {
@@ -138,7 +141,7 @@ void info(const InfoOptions& options, const Progress& progress) {
   const Json& mesh = isMesh ? description : description["mesh"];
   print(format("{}: a {}\n", options.file.string(), isMesh ? "mesh" : "project") +
         (isMesh ? "" : projectText(description)) + meshText(mesh));
-  printRemarks(mesh["remarks"].get<std::vector<std::string>>());
+  printRemarks(mesh.value("remarks", std::vector<std::string>()));
 }
 
 }  // namespace

@@ -21,17 +21,20 @@ struct BenchCommand {
 };
 
 std::string jsonText(const Measurements& m) {
-  const nlohmann::ordered_json json{
+  using Json = nlohmann::ordered_json;
+  const auto orNull = [](const std::optional<double>& number) { return number ? Json(*number) : Json(); };
+  const Json json{
       {"vertices", m.vertices},
       {"seconds",
-       {{"qhull", m.qhull},
+       {{"qhull", orNull(m.qhull)},
         {"assemble", m.assemble},
         {"parameterize", m.parameterize},
         {"deform_all", m.deformAll},
         {"deform_one", m.deformOne},
         {"eigen_eq7", m.eigenEq7},
         {"triad_bytes_per_second", m.triadBytesPerSecond}}},
-      {"ratios", {{"assemble_qhull", m.assemble / m.qhull}, {"deform_bandwidth", m.deformBandwidth()}}}};
+      {"ratios",
+       {{"assemble_qhull", orNull(m.timesQhull(m.assemble))}, {"deform_bandwidth", m.deformBandwidth()}}}};
   return json.dump() + "\n";
 }
 
@@ -39,12 +42,21 @@ std::string row(std::string_view label, double seconds, std::string_view remark)
   return format("  {:<30}{:>12.3f} ms  {}\n", label, 1e3 * seconds, remark);
 }
 
+std::string qhullRow(const Measurements& m) {
+  const char* label = "Qhull on every vertex";
+  return m.qhull ? row(label, *m.qhull, "")
+                 : format("  {:<30}{:>12}     the vertices lie in a plane: there is no diagram in space\n",
+                          label, "none");
+}
+
 std::string tableText(const BenchCommand& command, const Measurements& m) {
+  const auto byQhull = [&](double seconds, int digits) {
+    return m.qhull ? format("{:.{}f} x Qhull", *m.timesQhull(seconds), digits) : std::string();
+  };
   return format("{}: {} vertices, {} control points, {:.1f} a vertex, {} threads\n", command.mesh.string(),
                 grouped(m.vertices), grouped(m.points), m.influences, threadCount()) +
-         row("Qhull on every vertex", m.qhull, "") +
-         row("Assemble the control points", m.assemble, format("{:.2f} x Qhull", m.assemble / m.qhull)) +
-         row("Parameterize the mesh", m.parameterize, format("{:.4f} x Qhull", m.parameterize / m.qhull)) +
+         qhullRow(m) + row("Assemble the control points", m.assemble, byQhull(m.assemble, 2)) +
+         row("Parameterize the mesh", m.parameterize, byQhull(m.parameterize, 4)) +
          row("Deform, all points moved", m.deformAll,
              format("{:.2f} of the memory's bandwidth ({:.1f} GB/s)", m.deformBandwidth(),
                     1e-9 * m.triadBytesPerSecond)) +

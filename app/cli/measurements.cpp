@@ -156,6 +156,10 @@ double Measurements::deformBandwidth() const {
   return vertices * (24.0 + 4.0 * influences) / deformAll / triadBytesPerSecond;
 }
 
+std::optional<double> Measurements::timesQhull(double seconds) const {
+  return qhull ? std::optional(seconds / *qhull) : std::nullopt;
+}
+
 Measurements measure(const Mesh& mesh, const PlacementOptions& options, const Progress& progress) {
   Measurements result;
   result.vertices = mesh.vertexCount();
@@ -165,7 +169,9 @@ Measurements measure(const Mesh& mesh, const PlacementOptions& options, const Pr
       progress, [&] { rest = std::make_shared<const RestMesh>(mesh); },
       [&] { placed = placeControlPoints(rest, options, progress); });
   progress.report("Qhull on every vertex");
-  result.qhull = medianSeconds(progress, [&] { voronoiVertices(mesh.positions, progress); });
+  if (!areCoplanar(mesh.positions)) {
+    result.qhull = medianSeconds(progress, [&] { voronoiVertices(mesh.positions, progress); });
+  }
   const ControlSet set{options.basis, placed.master, {placed.finest}};
   result.points = set.finest().size();
   progress.report("Weights");

@@ -4,7 +4,7 @@
 #include "core/ffd/placement/placement.h"
 #include "core/mesh/rest_mesh.h"
 
-#include <memory>
+#include <optional>
 
 namespace pbffd::cli {
 
@@ -13,7 +13,8 @@ struct Measurements {
   Index vertices = 0;
   Index points = 0;
   double influences = 0.0;    ///< control points a vertex, the master not counted
-  double qhull = 0.0;         ///< the Voronoi vertices of every vertex
+  /// The Voronoi vertices of every vertex; none where the vertices lie in a plane, which has no such diagram.
+  std::optional<double> qhull;
   double assemble = 0.0;      ///< placing the control points, with its own Voronoi diagram
   double parameterize = 0.0;  ///< their weights on every vertex
   double deformAll = 0.0;     ///< new positions of all vertices after all points moved
@@ -24,6 +25,8 @@ struct Measurements {
   /// The bytes that a full pass must move, by its time, as a share of what the memory gives: rest and new
   /// positions (24 bytes a vertex) and 4 bytes an influence.
   double deformBandwidth() const;
+  /// None without a Voronoi diagram.
+  std::optional<double> timesQhull(double seconds) const;
 };
 
 /// Runs everything on the mesh. Throws like placeControlPoints(); Cancelled.

@@ -27,6 +27,19 @@ class BenchTest : public QObject {
     QVERIFY(ratios["deform_bandwidth"].toDouble() > 0.0);
   }
 
+  void flatSheetHasNoDiagram() {
+    const test::CommandFolder folder;
+    const QString mesh = folder.writeObj("sheet.obj", test::sheet());
+    const auto result = test::runPbffd({"bench", mesh, "--points", "20", "--json"});
+    QVERIFY2(result.status == 0, result.errors);
+    const QJsonObject seconds = result.json()["seconds"].toObject();
+    QVERIFY(seconds["qhull"].isNull());
+    QVERIFY(seconds["assemble"].toDouble() > 0.0);
+    QVERIFY(result.json()["ratios"].toObject()["assemble_qhull"].isNull());
+    const auto text = test::runPbffd({"bench", mesh, "--points", "20"});
+    QVERIFY2(text.output.contains("the vertices lie in a plane"), text.output);
+  }
+
   void meshThatCannotBePlacedIsNamed() {
     const test::CommandFolder folder;
     const QString mesh = folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");

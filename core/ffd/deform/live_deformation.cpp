@@ -55,8 +55,9 @@ struct LiveDeformation::State {
   SlotMesh slots;
   TouchedBlocks touched;
   LiveKernel kernel;
-  LevelMaps maps;  ///< those that positions stand at
-  std::vector<LiveMap> live;
+  LevelMaps maps;             ///< those that positions stand at
+  std::vector<LiveMap> live;  ///< the same for the kernel, the master's taken off
+  LiveMap liveMaster{};
   std::vector<float> positions;
   std::vector<float> normals;
   std::array<float, 48> lastPositions{};
@@ -78,35 +79,36 @@ struct LiveDeformation::State {
   void rest() {
     maps.points.assign(static_cast<std::size_t>(weights->pointCount), identityMap());
     maps.master = identityMap();
+    live.assign(maps.points.size(), liveMap(AffineMap::Zero()));
+    liveMaster = liveMap(AffineMap::Zero());
     evaluate(allBlocks(slots.blockCount()));
     turnNormals();
   }
 
-  std::vector<Index> blocksToEvaluate(const LevelMaps& next) const;
+  std::vector<Index> moveTo(const LevelMaps& next);
   void evaluate(const std::vector<Index>& blocks);
   void turnNormals();
   LivePass pass();
 };
 
-std::vector<Index> LiveDeformation::State::blocksToEvaluate(const LevelMaps& next) const {
-  if (next.master != maps.master) {
-    return allBlocks(slots.blockCount());
-  }
+/// Takes over what changed; returns the blocks that it touches.
+std::vector<Index> LiveDeformation::State::moveTo(const LevelMaps& next) {
+  const bool isMasterMoved = next.master != maps.master;
+  maps.master = next.master;
+  const AffineMap master = displacementAbout(slots.origin(), maps.master);
   std::vector<Index> changed;
   for (std::size_t j = 0; j < maps.points.size(); ++j) {
-    if (next.points[j] != maps.points[j]) {
+    if (isMasterMoved || next.points[j] != maps.points[j]) {
+      maps.points[j] = next.points[j];
+      live[j] = liveMap(displacementAbout(slots.origin(), maps.points[j]) - master);
       changed.push_back(static_cast<Index>(j));
     }
   }
-  return touched.by(changed);
+  liveMaster = liveMap(master);
+  return isMasterMoved ? allBlocks(slots.blockCount()) : touched.by(changed);
 }
 
 LivePass LiveDeformation::State::pass() {
-  const AffineMap master = displacementAbout(slots.origin(), maps.master);
-  live.resize(maps.points.size());
-  for (std::size_t j = 0; j < live.size(); ++j) {
-    live[j] = liveMap(displacementAbout(slots.origin(), maps.points[j]) - master);
-  }
   const bool isLastFull = slots.slotCount() % Parameterization::blockSize == 0;
   return {slots.rest(),
           weights->blockStart.data(),
@@ -115,7 +117,7 @@ LivePass LiveDeformation::State::pass() {
           weights->weights.data(),
           weights->masterMembers.data(),
           live.data(),
-          liveMap(master),
+          liveMaster,
           positions.data(),
           lastPositions.data(),
           isLastFull ? -1 : slots.blockCount() - 1};
@@ -130,9 +132,10 @@ void LiveDeformation::State::evaluate(const std::vector<Index>& blocks) {
     std::copy_n(lastPositions.begin(), positions.size() - first,
                 positions.begin() + static_cast<std::ptrdiff_t>(first));
   }
-  if (withOldNormals.empty() || blocks.size() == static_cast<std::size_t>(slots.blockCount())) {
+  const auto all = static_cast<std::size_t>(slots.blockCount());
+  if (withOldNormals.empty() || blocks.size() == all) {
     withOldNormals = blocks;
-  } else {
+  } else if (withOldNormals.size() < all) {
     std::vector<Index> both;
     std::set_union(withOldNormals.begin(), withOldNormals.end(), blocks.begin(), blocks.end(),
                    std::back_inserter(both));
@@ -193,8 +196,7 @@ Index LiveDeformation::updatePositions(const LevelMaps& maps) {
                "Compute the weights anew.",
                state_->maps.points.size(), maps.points.size()));
   }
-  const std::vector<Index> blocks = state_->blocksToEvaluate(maps);
-  state_->maps = maps;
+  const std::vector<Index> blocks = state_->moveTo(maps);
   if (blocks.empty()) {
     return 0;
   }

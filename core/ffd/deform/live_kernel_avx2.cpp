@@ -8,32 +8,28 @@
 namespace pbffd {
 namespace {
 
-struct Sixteen {
-  __m256 low, high;
+struct Eight {
+  static constexpr std::ptrdiff_t count = 8;
+  __m256 lanes;
 
-  static Sixteen all(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
-  static Sixteen load(const float* from) { return {_mm256_loadu_ps(from), _mm256_loadu_ps(from + 8)}; }
-  friend Sixteen operator+(const Sixteen& a, const Sixteen& b) {
-    return {_mm256_add_ps(a.low, b.low), _mm256_add_ps(a.high, b.high)};
+  static Eight all(float value) { return {_mm256_set1_ps(value)}; }
+  static Eight load(const float* from) { return {_mm256_loadu_ps(from)}; }
+  friend Eight operator+(const Eight& a, const Eight& b) { return {_mm256_add_ps(a.lanes, b.lanes)}; }
+  friend Eight fused(const Eight& a, const Eight& b, const Eight& c) {
+    return {_mm256_fmadd_ps(a.lanes, b.lanes, c.lanes)};
   }
-  friend Sixteen fused(const Sixteen& a, const Sixteen& b, const Sixteen& c) {
-    return {_mm256_fmadd_ps(a.low, b.low, c.low), _mm256_fmadd_ps(a.high, b.high, c.high)};
-  }
-  friend Sixteen kept(const Sixteen& a, unsigned members) {
+  friend Eight kept(const Eight& a, unsigned members) {
     const __m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-    const auto mask = [&](unsigned eight) {
-      return _mm256_castsi256_ps(
-          _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(eight)), bits), bits));
-    };
-    return {_mm256_and_ps(a.low, mask(members)), _mm256_and_ps(a.high, mask(members >> 8))};
+    const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(members)), bits);
+    return {_mm256_and_ps(a.lanes, _mm256_castsi256_ps(_mm256_cmpeq_epi32(chosen, bits)))};
   }
 };
 
-/// x0 y0 z0 x1 ... of eight vertices.
-void storeEight(__m256 x, __m256 y, __m256 z, float* to) {
-  const __m256 xy = _mm256_shuffle_ps(x, y, _MM_SHUFFLE(2, 0, 2, 0));
-  const __m256 yz = _mm256_shuffle_ps(y, z, _MM_SHUFFLE(3, 1, 3, 1));
-  const __m256 zx = _mm256_shuffle_ps(z, x, _MM_SHUFFLE(3, 1, 2, 0));
+/// x0 y0 z0 x1 ...
+void store(const Eight& x, const Eight& y, const Eight& z, float* to) {
+  const __m256 xy = _mm256_shuffle_ps(x.lanes, y.lanes, _MM_SHUFFLE(2, 0, 2, 0));
+  const __m256 yz = _mm256_shuffle_ps(y.lanes, z.lanes, _MM_SHUFFLE(3, 1, 3, 1));
+  const __m256 zx = _mm256_shuffle_ps(z.lanes, x.lanes, _MM_SHUFFLE(3, 1, 2, 0));
   const __m256 first = _mm256_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0));
   const __m256 second = _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0));
   const __m256 third = _mm256_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1));
@@ -42,15 +38,10 @@ void storeEight(__m256 x, __m256 y, __m256 z, float* to) {
   _mm256_storeu_ps(to + 16, _mm256_permute2f128_ps(second, third, 0x31));
 }
 
-void store(const Sixteen& x, const Sixteen& y, const Sixteen& z, float* to) {
-  storeEight(x.low, y.low, z.low, to);
-  storeEight(x.high, y.high, z.high, to + 24);
-}
-
 }  // namespace
 
 LiveKernel liveAvx2Kernel() {
-  return &LiveBody<Sixteen>::run;
+  return &LiveBody<Eight>::run;
 }
 
 }  // namespace pbffd

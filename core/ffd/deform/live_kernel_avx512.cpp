@@ -9,6 +9,7 @@ namespace pbffd {
 namespace {
 
 struct Sixteen {
+  static constexpr std::ptrdiff_t count = 16;
   __m512 lanes;
 
   static Sixteen all(float value) { return {_mm512_set1_ps(value)}; }

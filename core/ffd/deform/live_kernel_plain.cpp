@@ -4,38 +4,25 @@
 namespace pbffd {
 namespace {
 
-/// Vectors of four, which every processor has; the compiler's own, so that no instruction is named.
-struct Sixteen {
-  using Four = float __attribute__((vector_size(16)));
-  Four quarters[4];
+/// Four at a time, which every processor can; the compiler's own vectors, so that no instruction is named.
+struct Four {
+  using Vector = float __attribute__((vector_size(16)));
+  static constexpr std::ptrdiff_t count = 4;
+  Vector lanes;
 
-  template <class Make>
-  static Sixteen each(const Make& make) {
-    return {{make(0), make(1), make(2), make(3)}};
+  static Four all(float value) { return {Vector{value, value, value, value}}; }
+  static Four load(const float* from) { return {Vector{from[0], from[1], from[2], from[3]}}; }
+  friend Four operator+(const Four& a, const Four& b) { return {a.lanes + b.lanes}; }
+  friend Four fused(const Four& a, const Four& b, const Four& c) { return {a.lanes * b.lanes + c.lanes}; }
+  friend Four kept(const Four& a, unsigned members) {
+    const auto lane = [&](int k) { return (members >> k & 1U) != 0 ? a.lanes[k] : 0.0F; };
+    return {Vector{lane(0), lane(1), lane(2), lane(3)}};
   }
-  static Sixteen all(float value) {
-    return each([&](int) { return Four{value, value, value, value}; });
-  }
-  static Sixteen load(const float* from) {
-    return each([&](int q) { return Four{from[4 * q], from[4 * q + 1], from[4 * q + 2], from[4 * q + 3]}; });
-  }
-  friend Sixteen operator+(const Sixteen& a, const Sixteen& b) {
-    return each([&](int q) { return a.quarters[q] + b.quarters[q]; });
-  }
-  friend Sixteen fused(const Sixteen& a, const Sixteen& b, const Sixteen& c) {
-    return each([&](int q) { return a.quarters[q] * b.quarters[q] + c.quarters[q]; });
-  }
-  friend Sixteen kept(const Sixteen& a, unsigned members) {
-    return each([&](int q) {
-      const auto lane = [&](int k) { return (members >> (4 * q + k) & 1U) != 0 ? a.quarters[q][k] : 0.0F; };
-      return Four{lane(0), lane(1), lane(2), lane(3)};
-    });
-  }
-  friend void store(const Sixteen& x, const Sixteen& y, const Sixteen& z, float* to) {
-    for (int k = 0; k < 16; ++k) {
-      to[3 * k] = x.quarters[k / 4][k % 4];
-      to[3 * k + 1] = y.quarters[k / 4][k % 4];
-      to[3 * k + 2] = z.quarters[k / 4][k % 4];
+  friend void store(const Four& x, const Four& y, const Four& z, float* to) {
+    for (int k = 0; k < 4; ++k) {
+      to[3 * k] = x.lanes[k];
+      to[3 * k + 1] = y.lanes[k];
+      to[3 * k + 2] = z.lanes[k];
     }
   }
 };
@@ -43,7 +30,7 @@ struct Sixteen {
 }  // namespace
 
 LiveKernel livePlainKernel() {
-  return &LiveBody<Sixteen>::run;
+  return &LiveBody<Four>::run;
 }
 
 }  // namespace pbffd

@@ -1,10 +1,13 @@
 #include "core/ffd/deform/deformation.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/ffd/deform/strain.h"
 #include "tests/core/ffd/scenes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <QtTest>
 
 #include <cstring>
@@ -120,19 +123,42 @@ class DeformationTest : public QObject {
     reachAll(scene.set);
     scene.poseAtRandom(0.05, true);
     const std::vector<Mat3> exact = gradients(scene);
-    const double h = 1e-6;
+    const std::vector<Mat3> numeric = differences(scene);
     for (int axis = 0; axis < 3; ++axis) {
-      const Points ahead =
-          deformedSpace(scene, scene.mesh->positions().rowwise() + h * Vec3::Unit(axis).transpose());
-      const Points behind =
-          deformedSpace(scene, scene.mesh->positions().rowwise() - h * Vec3::Unit(axis).transpose());
-      const Points numeric = (ahead - behind) / (2.0 * h);
       Index wrong = 0;
-      for (Index v = 0; v < numeric.rows(); ++v) {
-        wrong += (numeric.row(v).transpose() - exact[v].col(axis)).norm() > 1e-6;
+      for (std::size_t v = 0; v < numeric.size(); ++v) {
+        wrong += (numeric[v].col(axis) - exact[v].col(axis)).norm() > 1e-6;
       }
       // The gaussian jumps at the border of a region: a vertex that h takes across it has no gradient.
       QVERIFY(kernel == 2 ? wrong < 3 : wrong == 0);
+    }
+  }
+
+  void normalsFramesAndStrainAreTheDifferencesToo() {
+    test::Scene scene(test::sphere(24, 30));
+    reachAll(scene.set);
+    scene.poseAtRandom(0.05, true);
+    const std::vector<Mat3> exact = gradients(scene);
+    const std::vector<Mat3> numeric = differences(scene);
+    for (Index v = 0; v < scene.mesh->vertexCount(); ++v) {
+      const Mat3& seen = numeric[v];
+      const Vec3 normal = scene.mesh->normals().row(v);
+      const Vec3 tangent = normal.unitOrthogonal();
+      const Vec3 across = normal.cross(tangent);
+      const Vec3 turned = (seen * tangent).cross(seen * across).normalized();
+      QVERIFY((carriedTangent(exact[v], tangent) - seen * tangent).norm() < 1e-6);
+      QVERIFY((carriedNormal(exact[v], normal) - turned).norm() < 1e-5);
+      const Strain strain = strainOf(exact[v]);
+      QVERIFY(std::abs(strain.volume - seen.determinant()) < 1e-5);
+      QVERIFY(std::abs(strain.stretches.squaredNorm() - seen.squaredNorm()) < 1e-5);
+      // Higham's iteration finds the rotation of a polar decomposition without a singular value.
+      Mat3 rotation = seen;
+      for (int i = 0; i < 30; ++i) {
+        rotation = (0.5 * (rotation + rotation.inverse().transpose())).eval();
+      }
+      if (seen.determinant() > 0.1) {
+        QVERIFY((carriedRotation(exact[v]) - rotation).norm() < 1e-4);
+      }
     }
   }
 
@@ -199,6 +225,22 @@ class DeformationTest : public QObject {
       deformed.row(i) = applyMap(blendedMap(rows, i, maps), at.row(i));
     }
     return deformed;
+  }
+
+  /// The deformation gradient at each vertex by central differences.
+  static std::vector<Mat3> differences(const test::Scene& scene) {
+    const double h = 1e-6;
+    std::vector<Mat3> gradients(static_cast<std::size_t>(scene.mesh->vertexCount()));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 step = h * Vec3::Unit(axis);
+      const Points ahead = deformedSpace(scene, scene.mesh->positions().rowwise() + step.transpose());
+      const Points behind = deformedSpace(scene, scene.mesh->positions().rowwise() - step.transpose());
+      for (std::size_t v = 0; v < gradients.size(); ++v) {
+        const auto row = static_cast<Index>(v);
+        gradients[v].col(axis) = (ahead.row(row) - behind.row(row)).transpose() / (2.0 * h);
+      }
+    }
+    return gradients;
   }
 
   /// McDonnell & Qin, eq. (7) by the letter: V = WP + DA with dense matrices, the master their last column.

@@ -1,13 +1,8 @@
-#include "core/base/parallel.h"
 #include "core/ffd/deform/deformation.h"
-#include "core/ffd/deform/displacement.h"
-
-#include <algorithm>
+#include "core/ffd/deform/touched_vertices.h"
 
 namespace pbffd {
 namespace {
-
-constexpr std::size_t blockGrain = 64;
 
 /// The gradient of strength x phi(u) in space, with u over `region`.
 Vec3 valueGradient(const Basis& basis, double strength, const Region& region, const Vec3& point) {
@@ -38,87 +33,55 @@ struct GradientSums {
   }
 };
 
-class GradientBlocks {
+class ExactGradients : public BlockEvaluator {
  public:
-  GradientBlocks(const LevelValues& level, const PointBlocks& blocks, const LevelDisplacements& displacements)
-      : level_(&level), values_(level, blocks), blocks_(&blocks), displacements_(&displacements) {}
-
-  void evaluate(Index block, const BlockList& list) {
-    block_ = block;
-    list_ = list;
-    values_.evaluate(block, list);
-  }
+  using BlockEvaluator::BlockEvaluator;
 
   Mat3 at(Index k) const {
-    const Vec3 point = blocks_->point(block_, k);
+    const Vec3 rest = point(k);
     const auto lane = static_cast<std::size_t>(k);
     const double toWeight = values_.toWeight()[lane];
     GradientSums sums;
     for (std::size_t e = 0; e < list_.points.size(); ++e) {
-      if ((list_.members[e] >> k & 1) == 0) {
+      if (!isMember(e, k)) {
         continue;
       }
       const Index j = list_.points[e];
-      const Vec3 ofValue = valueGradient(level_->basis(), level_->strength(j), level_->region(j), point);
+      const Vec3 ofValue = valueGradient(level_->basis(), level_->strength(j), level_->region(j), rest);
       sums.ofAllValues += ofValue;
       if (displacements_->isMoved[static_cast<std::size_t>(j)] != 0) {
         sums.addMoved(values_.entries()[e][lane] * toWeight,
-                      displacements_->points[static_cast<std::size_t>(j)], ofValue, point);
+                      displacements_->points[static_cast<std::size_t>(j)], ofValue, rest);
       }
     }
-    addMaster(sums, point, values_.master()[lane] * toWeight);
+    addMaster(sums, rest, values_.master()[lane] * toWeight);
     return sums.isReached && toWeight > 0.0 ? sums.gradient(toWeight) : Mat3::Identity();
   }
 
  private:
-  void addMaster(GradientSums& sums, const Vec3& point, double weight) const {
+  void addMaster(GradientSums& sums, const Vec3& rest, double weight) const {
     const Vec3 ofValue = level_->hasMasterRegion()
-                             ? valueGradient(level_->basis(), 1.0, level_->masterRegion(), point)
+                             ? valueGradient(level_->basis(), 1.0, level_->masterRegion(), rest)
                              : Vec3(Vec3::Zero());
     sums.ofAllValues += ofValue;
     if (displacements_->isMasterMoved) {
-      sums.addMoved(weight, displacements_->master, ofValue, point);
+      sums.addMoved(weight, displacements_->master, ofValue, rest);
     }
   }
-
-  const LevelValues* level_;
-  BlockValues values_;
-  const PointBlocks* blocks_;
-  const LevelDisplacements* displacements_;
-  Index block_ = 0;
-  BlockList list_;
 };
 
 }  // namespace
 
 std::vector<Mat3> deformationGradients(const RestMesh& mesh, const ControlSet& set,
                                        const Parameterization& parameterization, const Progress& progress) {
-  requireFitting(parameterization, mesh, set.finest());
-  const LevelDisplacements displacements(set.master, set.finest());
+  const TouchedVertices touched(mesh, set, parameterization);
   std::vector<Mat3> gradients(static_cast<std::size_t>(mesh.vertexCount()), Mat3::Identity());
-  if (!displacements.isAnyMoved()) {
-    return gradients;
+  if (touched.areAny()) {
+    progress.report("Turning normals");
+    touched.forEach<ExactGradients>(progress, [&](Index vertex, const Mat3& gradient) {
+      gradients[static_cast<std::size_t>(vertex)] = gradient;
+    });
   }
-  progress.report("Turning normals");
-  const std::vector<Index>& order = mesh.mortonOrder();
-  const PointBlocks blocks(mesh.positions(), order);
-  const LevelValues values(set.basis, set.master, set.finest());
-  parallelFor(
-      static_cast<std::size_t>(blocks.blockCount()), blockGrain, [&](std::size_t begin, std::size_t end) {
-        progress.throwIfCancelled();
-        GradientBlocks block(values, blocks, displacements);
-        for (auto b = static_cast<Index>(begin); b < static_cast<Index>(end); ++b) {
-          const BlockList list = parameterization.list(b);
-          if (!displacements.touches(list)) {
-            continue;
-          }
-          block.evaluate(b, list);
-          const Index first = b * PointBlocks::blockSize;
-          for (Index k = 0; k < std::min(PointBlocks::blockSize, mesh.vertexCount() - first); ++k) {
-            gradients[static_cast<std::size_t>(order[static_cast<std::size_t>(first + k)])] = block.at(k);
-          }
-        }
-      });
   return gradients;
 }
 

@@ -4,6 +4,7 @@
 #include "ui/document/job_runner.h"
 #include "ui/views/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/start_page.h"
 
 #include <QApplication>
 #include <QPixmap>
@@ -31,8 +32,12 @@ Screenshot::Screenshot(ui::MainWindow& window, QString path, bool waitsForFile)
       settled_.start();
     }
   });
-  if (!waitsForFile) {
-    settled_.setInterval(4 * settledMilliseconds);
+  if (waitsForFile) {
+    return;
+  }
+  const ui::StartPage& page = window.startPage();
+  connect(&page, &ui::StartPage::pictured, &settled_, qOverload<>(&QTimer::start));
+  if (page.isPictured()) {
     settled_.start();
   }
 }

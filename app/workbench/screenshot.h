@@ -10,8 +10,9 @@ class MainWindow;
 
 namespace pbffd::workbench {
 
-/// Writes a picture of the window once the file is open, its points are placed and the view is drawn, then
-/// ends the program: status 0, or 1 with the reason on standard error.
+/// Writes a picture of the window once the file is open, its points are placed and the view is drawn (without
+/// a file: once the samples have their pictures), then ends the program: status 0, or 1 with the reason on
+/// standard error.
 class Screenshot : public QObject {
   Q_OBJECT
 

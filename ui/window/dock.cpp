@@ -17,6 +17,8 @@ constexpr int titleHeight = 32;
 class TitleBar : public QWidget {
  public:
   explicit TitleBar(const Theme& theme) : theme_(theme) { setFixedHeight(titleHeight); }
+  /// A dock lays its content out below what is hinted here, whatever the height is.
+  QSize sizeHint() const override { return {QWidget::sizeHint().width(), titleHeight}; }
 
  protected:
   void paintEvent(QPaintEvent*) override {

@@ -45,6 +45,7 @@ class MainWindow : public QMainWindow {
   const Actions& actions() const { return *actions_; }
   DocumentFiles& files() { return *files_; }
   Viewport& viewport() { return *viewport_; }
+  const StartPage& startPage() const { return *startPage_; }
   Docks& docks() { return *docks_; }
   ErrorBar& errorBar() { return *errorBar_; }
 

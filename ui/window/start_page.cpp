@@ -20,6 +20,11 @@ namespace pbffd::ui {
 namespace {
 
 constexpr int sideWidth = 440;
+constexpr QMargins mainMargins(56, 44, 56, 28);
+/// Where the window is narrow, so that three samples stand side by side all the same.
+constexpr int narrowBelow = 1280;
+constexpr int narrowSideWidth = 380;
+constexpr QMargins narrowMargins(24, 24, 24, 24);
 constexpr int columns = 3;
 constexpr std::size_t mostRecent = 6;
 
@@ -160,10 +165,9 @@ QWidget* StartPage::makeSide(const Actions& actions) {
   foot->addWidget(makeLabel("F1", "label"));
   foot->addStretch();
 
-  auto* side = new QFrame;
-  side->setObjectName("startSide");
-  side->setFixedWidth(sideWidth);
-  auto* column = new QVBoxLayout(side);
+  side_ = new QFrame;
+  side_->setObjectName("startSide");
+  auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(32, 42, 32, 22);
   column->setSpacing(34);
   column->addLayout(makeTitle());
@@ -171,7 +175,7 @@ QWidget* StartPage::makeSide(const Actions& actions) {
   column->addWidget(recentBlock_);
   column->addStretch();
   column->addLayout(foot);
-  return side;
+  return side_;
 }
 
 QWidget* StartPage::makeMain() {
@@ -188,24 +192,23 @@ QWidget* StartPage::makeMain() {
 
   auto* content = new QWidget;
   content->setObjectName("startMain");
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(56, 44, 56, 28);
-  column->setSpacing(14);
-  column->addWidget(drop_, 3);
-  column->addSpacing(22);
+  main_ = new QVBoxLayout(content);
+  main_->setSpacing(14);
+  main_->addWidget(drop_, 3);
+  main_->addSpacing(22);
   if (!cards_.empty()) {
-    column->addLayout(heading);
-    column->addLayout(grid, 8);
-    column->addSpacing(16);
+    main_->addLayout(heading);
+    main_->addLayout(grid, 8);
+    main_->addSpacing(16);
   } else {
-    column->addStretch();
+    main_->addStretch();
   }
   auto* rule = new QFrame;
   rule->setProperty("role", "rule");
   rule->setFixedHeight(1);
-  column->addWidget(rule);
-  column->addSpacing(8);
-  column->addLayout(makeSteps());
+  main_->addWidget(rule);
+  main_->addSpacing(8);
+  main_->addLayout(makeSteps());
   auto* area = new QScrollArea;
   area->setObjectName("startMain");
   area->setWidgetResizable(true);
@@ -243,7 +246,11 @@ void StartPage::addSamples(QGridLayout& grid) {
   connect(pictures_, &SamplePictures::ready, this,
           [this](const QString& path, const QImage& picture, int triangles) {
             cards_.at(path)->setPicture(picture, triangles);
+            if (--pending_ == 0) {
+              Q_EMIT pictured();
+            }
           });
+  pending_ = samples.size();
   pictures_->ask(samples);
 }
 
@@ -271,6 +278,13 @@ void StartPage::showRecent() {
     recentRows_->addWidget(row);
   }
   recentBlock_->setVisible(!entries.empty());
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  const bool isNarrow = width() < narrowBelow;
+  side_->setFixedWidth(isNarrow ? narrowSideWidth : sideWidth);
+  main_->setContentsMargins(isNarrow ? narrowMargins : mainMargins);
+  QWidget::resizeEvent(event);
 }
 
 void StartPage::showDrag(bool isOver, const QString& reason) {

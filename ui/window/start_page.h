@@ -4,6 +4,7 @@
 
 #include <map>
 
+class QFrame;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -26,11 +27,19 @@ class StartPage : public QWidget {
  public:
   StartPage(const Actions& actions, RecentFiles& recent, const Theme& theme, QWidget* parent = nullptr);
 
+  /// Whether every sample has its picture.
+  bool isPictured() const { return pending_ == 0; }
+
   /// How the drop area looks while a file is dragged over the window. A reason says why it is refused.
   void showDrag(bool isOver, const QString& reason);
 
  Q_SIGNALS:
   void openAsked(const QString& path);
+  /// The last picture is there.
+  void pictured();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeSide(const Actions& actions);
@@ -42,12 +51,15 @@ class StartPage : public QWidget {
 
   RecentFiles& recent_;
   const Theme& theme_;
+  QFrame* side_ = nullptr;
+  QVBoxLayout* main_ = nullptr;
   QPushButton* openMesh_ = nullptr;
   QWidget* recentBlock_ = nullptr;
   QVBoxLayout* recentRows_ = nullptr;
   DropArea* drop_ = nullptr;
   SamplePictures* pictures_;
   std::map<QString, SampleCard*> cards_;
+  std::size_t pending_ = 0;  ///< samples without a picture yet
 };
 
 }  // namespace pbffd::ui

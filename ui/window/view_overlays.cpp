@@ -94,18 +94,29 @@ void ViewOverlays::showLabel() {
       detail += level == levels ? tr(" (finest)") : tr(" (coarsest)");
     }
   }
-  label_->setText(
-      QString("<span style='font-weight:600; color:%1'>%2</span>&nbsp;&nbsp;<span style='color:%3'>%4</span>")
-          .arg(sources_.theme.color("text").name(), projection, sources_.theme.color("text.2").name(), detail));
+  projection_ = QString("<span style='font-weight:600; color:%1'>%2</span>")
+                    .arg(sources_.theme.color("text").name(), projection);
+  detail_ = QString("&nbsp;&nbsp;<span style='color:%1'>%2</span>")
+                .arg(sources_.theme.color("text.2").name(), detail);
   arrange();
+}
+
+/// As much of the text as there is room for beside the view bar.
+void ViewOverlays::fitLabel() {
+  for (const QString& text : {projection_ + detail_, projection_, QString()}) {
+    label_->setText(text);
+    label_->adjustSize();
+    if (label_->geometry().right() + margin <= viewBar_->x()) {
+      return;
+    }
+  }
 }
 
 void ViewOverlays::arrange() {
   rail_->move(margin, margin);
   viewBar_->move(surface_.width() - viewBar_->width() - margin, margin);
-  label_->adjustSize();
   label_->move(rail_->geometry().right() + margin + 1, margin + 7);
-  label_->setVisible(label_->geometry().right() < viewBar_->x());
+  fitLabel();
 }
 
 bool ViewOverlays::eventFilter(QObject* object, QEvent* event) {

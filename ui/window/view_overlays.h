@@ -34,6 +34,7 @@ class ViewOverlays : public QObject {
  private:
   QFrame* makeViewBar(QWidget& surface);
   void showLabel();
+  void fitLabel();
   void arrange();
 
   Sources sources_;
@@ -41,6 +42,8 @@ class ViewOverlays : public QObject {
   ToolRail* rail_;
   QFrame* viewBar_;
   QLabel* label_;
+  QString projection_;
+  QString detail_;  ///< what is said after it where there is room
 };
 
 }  // namespace pbffd::ui

@@ -13,6 +13,8 @@
 #include <QDockWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 
 namespace pbffd::test {
@@ -43,6 +45,8 @@ class MainWindowTest : public QObject {
   void cleanup();
 
   void theStartPageGivesWayToTheDocks();
+  void theStartPageFitsTheSmallestWindow();
+  void panelsBeginBelowTheirTitles();
   void aBadFileShowsTheErrorBarAndNothingIsLost();
   void theTitleTellsNameAndChange();
   void unsavedWorkIsAskedAbout();
@@ -92,6 +96,21 @@ void MainWindowTest::theStartPageGivesWayToTheDocks() {
   action(ActionId::closeDocument).trigger();
   QVERIFY(window().findChild<ui::StartPage*>()->isVisible());
   QVERIFY(!window().docks().scene().isVisible());
+}
+
+void MainWindowTest::theStartPageFitsTheSmallestWindow() {
+  window().resize(window().minimumSize());
+  auto* area = window().startPage().findChild<QScrollArea*>("startMain");
+  QVERIFY(area != nullptr);
+  QTRY_VERIFY(window().size() == window().minimumSize());
+  QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
+}
+
+void MainWindowTest::panelsBeginBelowTheirTitles() {
+  QVERIFY(openBar());
+  for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+    QVERIFY2(dock->widget()->y() > dock->titleBarWidget()->geometry().bottom(), qPrintable(dock->objectName()));
+  }
 }
 
 void MainWindowTest::aBadFileShowsTheErrorBarAndNothingIsLost() {

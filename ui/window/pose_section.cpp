@@ -34,7 +34,7 @@ PoseSection::PoseSection(Document& document, const Theme& theme, QWidget* parent
       document_(document),
       position_(new TripleField(document, theme, {tr("Position"), {}})),
       offset_(new TripleField(document, theme, {tr("From rest"), {}})),
-      rotation_(new TripleField(document, theme, {tr("Rotation"), {}})),
+      rotation_(new TripleField(document, theme, {tr("Rotation"), {}, tr("°")})),
       backToRest_(new QPushButton(tr(" Back to rest"))) {
   position_->setEditMaker([this](int axis, const NumberInput& input) {
     return positionEdit(committedSelection(document_), axis, input);

@@ -60,10 +60,10 @@ QLayout* makeStep(const Theme& theme, const QString& icon, const QString& headin
   QObject::connect(&theme, &Theme::changed, tile, draw);
   auto* words = new QVBoxLayout;
   words->setSpacing(3);
-  words->addWidget(makeLabel(heading, "heading"));
-  QLabel* sentence = makeLabel(text, "label");
-  sentence->setWordWrap(true);
-  words->addWidget(sentence);
+  for (QLabel* line : {makeLabel(heading, "heading"), makeLabel(text, "label")}) {
+    line->setWordWrap(true);
+    words->addWidget(line);
+  }
   words->addStretch();
   auto* row = new QHBoxLayout;
   row->setSpacing(14);

@@ -26,7 +26,7 @@ TripleField::TripleField(Document& document, const Theme& theme, const Look& loo
   QList<QWidget*> widgets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const QString& prefix = look.prefixes[axis];
-    fields_[axis] = new NumberField(theme, {prefix.isEmpty() ? tokens[axis] : "", prefix, {}});
+    fields_[axis] = new NumberField(theme, {prefix.isEmpty() ? tokens[axis] : "", prefix, look.suffix});
     fields_[axis]->setAccessibleName(look.label + " " + (prefix.isEmpty() ? QString(axes[axis]) : prefix));
     connectField(static_cast<int>(axis));
     widgets += fields_[axis];

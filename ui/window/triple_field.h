@@ -26,6 +26,7 @@ class TripleField : public QWidget {
   struct Look {
     QString label;
     std::array<QString, 3> prefixes;  ///< instead of the colours of the axes
+    QString suffix = {};              ///< a quiet unit after each
   };
 
   TripleField(Document& document, const Theme& theme, const Look& look, QWidget* parent = nullptr);

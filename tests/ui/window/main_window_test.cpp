@@ -103,7 +103,7 @@ void MainWindowTest::theStartPageFitsTheSmallestWindow() {
   auto* area = window().startPage().findChild<QScrollArea*>("startMain");
   QVERIFY(area != nullptr);
   QTRY_VERIFY(window().size() == window().minimumSize());
-  QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
+  QTRY_COMPARE(area->horizontalScrollBar()->maximum(), 0);
 }
 
 void MainWindowTest::panelsBeginBelowTheirTitles() {

@@ -3,6 +3,7 @@
 #include "ui/controllers/add_tool.h"
 #include "ui/controllers/transform_tool.h"
 #include "ui/document/document.h"
+#include "ui/document/job_runner.h"
 #include "ui/views/viewport.h"
 
 namespace pbffd::ui {
@@ -68,6 +69,9 @@ bool ToolManager::filterKey(QKeyEvent& event) {
   }
   switch (event.key()) {
     case Qt::Key_Escape:
+      if (document_.jobs().isRunning()) {
+        return false;  // The window takes it, and cancels.
+      }
       if (active_->id() != ToolId::select) {
         setActive(ToolId::select);
       } else {

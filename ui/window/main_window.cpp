@@ -25,6 +25,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -317,6 +318,15 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   if (docks_ != nullptr) {
     docks_->fitTo(width());
+  }
+}
+
+/// What no other pane had a use for.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && document_.jobs().isRunning()) {
+    document_.jobs().cancel();
+  } else {
+    QMainWindow::keyPressEvent(event);
   }
 }
 

@@ -19,7 +19,7 @@ QString triple(const Vec3& values) {
   for (int axis = 0; axis < 3; ++axis) {
     words += QString::number(values[axis], 'g', 5).replace(u'-', QChar(0x2212));
   }
-  return words.join("   ");
+  return words.join("  ");
 }
 
 /// "2,903 quads, 12 triangles": the faces by their number of corners.

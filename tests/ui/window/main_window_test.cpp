@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QThread>
 
 namespace pbffd::test {
 
@@ -54,6 +55,7 @@ class MainWindowTest : public QObject {
   void undoSaysWhatItUndoes();
   void lettersActInTheViewAlone();
   void aMoveTakesTheKeysFromAnyPane();
+  void escapeCancelsLongWork();
   void refineHereIsUndone();
   void treeAndSelectionAreOne();
   void theEditLevelIsAKey();
@@ -204,6 +206,25 @@ void MainWindowTest::aMoveTakesTheKeysFromAnyPane() {
   }
   QCOMPARE(document().shown().controls.finest()[0].pose.center.y(), before.y() + 1.0);
   QCOMPARE(document().selection().level(), 3);
+}
+
+void MainWindowTest::escapeCancelsLongWork() {
+  QVERIFY(openBar());
+  document().selection().replace(firstPoints(document(), 3));
+  const int steps = document().history().count();
+  document().jobs().start({"edit", "Waiting", [](const Progress& progress) -> ui::JobRunner::Deliver {
+                             for (;;) {
+                               progress.throwIfCancelled();
+                               QThread::msleep(5);
+                             }
+                           }});
+  QVERIFY(document().jobs().isRunning());
+  QTest::keyClick(window().viewport().surface(), Qt::Key_Escape);
+  QTRY_VERIFY(!document().jobs().isRunning());
+  QCOMPARE(document().selection().points().size(), std::size_t{3});
+  QCOMPARE(document().history().count(), steps);
+  QTest::keyClick(window().viewport().surface(), Qt::Key_Escape);
+  QVERIFY(document().selection().points().empty());
 }
 
 void MainWindowTest::refineHereIsUndone() {

@@ -170,14 +170,19 @@ GltfDocument::Place GltfDocument::placeOf(std::size_t accessor, int width) const
     fail(format("buffer view {} is compressed; save the model without compression", view));
   }
   const std::size_t rowBytes = sizeof(float) * static_cast<std::size_t>(width);
-  const std::size_t begin = number(views[view], "byteOffset", 0) + number(entry, "byteOffset", 0);
-  const Place place{number(views[view], "buffer", 0), begin, number(views[view], "byteStride", rowBytes),
-                    total};
-  if (place.buffer >= buffers_.size() || place.stride < rowBytes || place.stride > 252 ||
-      begin > buffers_[place.buffer].bytes.size() ||
-      (total > 0 && (buffers_[place.buffer].bytes.size() - begin < rowBytes ||
-                     (buffers_[place.buffer].bytes.size() - begin - rowBytes) / place.stride < total - 1))) {
-    fail(format("accessor {} reaches beyond its buffer", accessor));
+  const std::size_t viewBegin = number(views[view], "byteOffset", 0);
+  const std::size_t viewBytes = number(views[view], "byteLength", 0);
+  const std::size_t offset = number(entry, "byteOffset", 0);
+  const Place place{number(views[view], "buffer", 0), viewBegin + offset,
+                    number(views[view], "byteStride", rowBytes), total};
+  if (place.buffer >= buffers_.size() || viewBegin > buffers_[place.buffer].bytes.size() ||
+      viewBytes > buffers_[place.buffer].bytes.size() - viewBegin) {
+    fail(format("buffer view {} of accessor {} reaches beyond its buffer", view, accessor));
+  }
+  if (place.stride < rowBytes || place.stride > 252 || offset > viewBytes ||
+      (total > 0 &&
+       (viewBytes - offset < rowBytes || (viewBytes - offset - rowBytes) / place.stride < total - 1))) {
+    fail(format("accessor {} reaches beyond its buffer view", accessor));
   }
   return place;
 }

@@ -174,9 +174,13 @@ class GltfTest : public QObject {
         "Draco");
     row("quantized", R"([{"op":"replace","path":"/accessors/0/componentType","value":5123}])", "accessor 0");
     row("sparse", R"([{"op":"add","path":"/accessors/0/sparse","value":{}}])", "sparse");
-    row("too long", R"([{"op":"replace","path":"/accessors/0/count","value":4}])", "accessor 0");
-    row("huge", R"([{"op":"replace","path":"/bufferViews/0/byteOffset","value":18446744073709551615}])",
-        "accessor 0");
+    row("too long", R"([{"op":"replace","path":"/accessors/0/count","value":4}])", "accessor 0 reaches");
+    row("huge", R"([{"op":"add","path":"/bufferViews/0/byteOffset","value":18446744073709551615}])",
+        "buffer view 0");
+    row("a huge offset", R"([{"op":"add","path":"/accessors/0/byteOffset","value":18446744073709551615}])",
+        "accessor 0 reaches");
+    row("a longer view", R"([{"op":"replace","path":"/bufferViews/1/byteLength","value":999}])",
+        "buffer view 1");
     row("no such view", R"([{"op":"replace","path":"/accessors/0/bufferView","value":9}])", "view 9");
     row("no such accessor",
         R"([{"op":"replace","path":"/meshes/0/primitives/0/attributes/POSITION","value":9}])", "accessor 9");

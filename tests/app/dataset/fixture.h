@@ -2,6 +2,7 @@
 
 #include "core/project/project.h"
 
+#include <vtkPointSet.h>
 #include <vtkSmartPointer.h>
 
 #include <filesystem>

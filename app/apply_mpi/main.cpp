@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -16,6 +17,9 @@ using namespace pbffd;
 constexpr int done = 0;
 constexpr int failed = 1;
 constexpr int wrongUsage = 2;
+
+/// Shorter than mpirun waits between asking a process to end and killing it.
+constexpr std::chrono::milliseconds patience(300);
 
 struct Arguments {
   mpi::SharedApply work;
@@ -39,7 +43,7 @@ void addArguments(CLI::App& app, Arguments& arguments) {
 }
 
 /// Does the work, and says on standard error what could not be done, on the rank where it could not.
-int perform(Arguments& arguments, const mpi::Ranks& ranks, mpi::StopWatch& watch, const Progress& progress) {
+int perform(Arguments& arguments, const mpi::Ranks& ranks, InterruptWatch& watch, const Progress& progress) {
   const auto fail = [&ranks](const char* what) {
     std::fprintf(stderr, "pbffd-apply-mpi: rank %d: %s\n", ranks.rank(), what);
     return failed;
@@ -72,7 +76,7 @@ int perform(Arguments& arguments, const mpi::Ranks& ranks, mpi::StopWatch& watch
 
 int main(int argc, char** argv) {
   const Progress progress([](std::string_view, double) {});
-  mpi::StopWatch watch(progress);
+  InterruptWatch watch(progress, patience, mpi::stoppedWords);
   const mpi::Ranks ranks(argc, argv);
   CLI::App app(
       "Deform a partitioned data set as a project deforms its own mesh, each process its share of the pieces:\n"

@@ -66,4 +66,10 @@ long long Ranks::sum(long long mine) const {
   return all;
 }
 
+std::vector<long long> Ranks::gathered(long long mine) const {
+  std::vector<long long> all(static_cast<std::size_t>(count()));
+  controller_->vtk->AllGather(&mine, all.data(), 1);
+  return all;
+}
+
 }  // namespace pbffd::mpi

@@ -29,6 +29,8 @@ class Ranks {
   /// The lowest rank that says yes; -1 for none.
   int lowest(bool mine) const;
   long long sum(long long mine) const;
+  /// What each rank says, by rank.
+  std::vector<long long> gathered(long long mine) const;
 
  private:
   class Controller;

@@ -1,5 +1,6 @@
 #include "app/apply_mpi/shared_apply.h"
 
+#include "app/apply_mpi/work_notes.h"
 #include "app/dataset/apply_steps.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -10,31 +11,53 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace pbffd::mpi {
 namespace {
 
-/// Does a part of the work that may throw, then asks the others how theirs went: all go on, or all stop. Where
-/// it failed on several ranks the lowest one says why.
-template <class Work>
-auto together(const Ranks& ranks, const Work& work) {
-  std::exception_ptr failure;
-  std::optional<decltype(work())> result;
-  try {
-    result = work();
-  } catch (...) {
-    failure = std::current_exception();
+/// Does parts of the work that may throw, and asks the others after each how theirs went: all go on, or all
+/// stop. Where it failed on several ranks the lowest one says why.
+class Together {
+ public:
+  Together(const Ranks& ranks, InterruptWatch& watch) : ranks_(ranks), watch_(watch) {}
+  /// After a failure the ranks wait for each other: the first to leave makes mpirun end the rest, and by now
+  /// each has removed what it staged.
+  ~Together() {
+    if (hasFailed_) {
+      ranks_.any(false);
+      watch_.setLastWords([] { return std::string(); });
+    }
   }
-  const int failed = ranks.lowest(failure != nullptr);
-  if (failed == ranks.rank()) {
-    std::rethrow_exception(failure);
+  Together(const Together&) = delete;
+  Together& operator=(const Together&) = delete;
+
+  template <class Work>
+  auto operator()(const Work& work) {
+    std::exception_ptr failure;
+    std::optional<decltype(work())> result;
+    try {
+      result = work();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const int failed = ranks_.lowest(failure != nullptr);
+    hasFailed_ = failed >= 0;
+    if (failed == ranks_.rank()) {
+      std::rethrow_exception(failure);
+    }
+    if (hasFailed_) {
+      throw OtherRankFailed();
+    }
+    return std::move(*result);
   }
-  if (failed >= 0) {
-    throw OtherRankFailed();
-  }
-  return std::move(*result);
-}
+
+ private:
+  const Ranks& ranks_;
+  InterruptWatch& watch_;
+  bool hasFailed_ = false;
+};
 
 struct Input {
   Project project;
@@ -55,11 +78,11 @@ Input readInput(const SharedApply& work, const Progress& progress) {
 /// The alignment is found on the first rank, from the points of all pieces, so that it does not depend on how
 /// many ranks there are.
 std::optional<Similarity> sharedAlignment(const SharedApply& work, const Input& input, const Ranks& ranks,
-                                          const Progress& progress, ApplyReport& report) {
+                                          Together& together, const Progress& progress, ApplyReport& report) {
   if (!work.options.align) {
     return std::nullopt;
   }
-  const Similarity mine = together(ranks, [&] {
+  const Similarity mine = together([&] {
     return ranks.isFirst()
                ? alignedToRest(input.project, samplePoints(input.partition, progress), progress, report)
                : Similarity();
@@ -72,33 +95,67 @@ std::optional<Similarity> sharedAlignment(const SharedApply& work, const Input& 
                     Eigen::Map<const Vec3>(numbers.data() + 10)};
 }
 
+/// What a rank says that is ended because another one is gone, or by the user.
+std::string lastWords(const std::optional<WorkNotes::Lost>& lost, const Partition& partition) {
+  if (!lost) {
+    return stoppedWords();
+  }
+  const std::string place = lost->piece
+                                ? format("while it worked on {}", describePiece(partition, *lost->piece))
+                                : "before its first piece";
+  return format(
+      "pbffd-apply-mpi: Could not deform {}: rank {} ended {}. It was killed, or there was not enough memory "
+      "for it; nothing was written. Try fewer ranks.\n",
+      partition.index.string(), lost->rank, place);
+}
+
+void cleanUpWhenEnded(InterruptWatch& watch, const WorkNotes& notes, const Partition& partition,
+                      const std::filesystem::path& folder) {
+  watch.setLastWords([notes, partition, folder] {
+    const std::string words = lastWords(notes.lost(), partition);
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+    return words;
+  });
+}
+
 }  // namespace
 
-ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, StopWatch& watch,
+std::string stoppedWords() {
+  return "pbffd-apply-mpi: Stopped, by the user or because another rank ended; nothing was written.\n";
+}
+
+ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWatch& watch,
                         const Progress& progress) {
-  const Input input = together(ranks, [&] { return readInput(work, progress); });
-  const PieceShare share{static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())};
+  // Before everything that is to be gone when it waits for the others.
+  Together together(ranks, watch);
+  const Input input = together([&] { return readInput(work, progress); });
+  const auto first =
+      together([&] { return ranks.isFirst() ? std::make_shared<StagedFiles>(work.target) : nullptr; });
+  const std::filesystem::path folder = ranks.fromFirst(first ? first->folder().string() : std::string());
+  const WorkNotes notes(ranks, folder);
+  cleanUpWhenEnded(watch, notes, input.partition, folder);
+  const PieceShare share{static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count()),
+                         [&](std::size_t piece) { notes.workingOn(piece); }};
   ApplyReport report;
   const bool isVolume =
       dependsOnVolumeCells(input.project) &&
-      ranks.any(together(ranks, [&] { return haveVolumeCells(input.partition, share, progress); }));
+      ranks.any(together([&] { return haveVolumeCells(input.partition, share, progress); }));
   if (isVolume && ranks.isFirst()) {
     report.remarks.push_back(volumeCellsRemark(work.source));
   }
-  const auto toRest = sharedAlignment(work, input, ranks, progress, report);
-  const auto first =
-      together(ranks, [&] { return ranks.isFirst() ? std::make_shared<StagedFiles>(work.target) : nullptr; });
-  const std::filesystem::path folder = ranks.fromFirst(first ? first->folder().string() : std::string());
-  watch.setFolder(folder);
+  const auto toRest = sharedAlignment(work, input, ranks, together, progress, report);
   StagedFiles mine({folder, format("r{}-", ranks.rank())});
-  const ApplyReport staged = together(ranks, [&] {
+  const ApplyReport staged = together([&] {
     const PlacedSpace space = placedSpace(input.project, isVolume, toRest, progress);
     return stagePieces(input.partition, share, mine, {space, work.options.transports, progress});
   });
   report.points = ranks.sum(staged.points);
+  report.hasMoved = ranks.any(staged.hasMoved);
   report.pieces = input.partition.pieces.size();
   report.remarks.insert(report.remarks.end(), staged.remarks.begin(), staged.remarks.end());
-  together(ranks, [&] {
+  remarkIfStill(input.project, work.source, report);
+  together([&] {
     if (report.points == 0) {
       failForNoPoints(work.source);
     }
@@ -108,11 +165,11 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, StopWatch& 
     return true;
   });
   // From here on only names are given; the index, which the others belong to, comes last.
-  together(ranks, [&] {
+  together([&] {
     mine.commit();
     return true;
   });
-  together(ranks, [&] {
+  together([&] {
     if (first) {
       first->commit();
     }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace pbffd::cli {
@@ -20,8 +21,15 @@ struct ApplyCommand {
   std::vector<std::string> transports;
 };
 
-void applyProject(const ApplyCommand& command, const Progress& progress) {
+void applyProject(const ApplyCommand& command, InterruptWatch& watch, const Progress& progress) {
   ApplyOptions options;
+  options.staging = [&watch](const std::filesystem::path& folder) {
+    watch.setLastWords([folder] {
+      std::error_code ignored;
+      std::filesystem::remove_all(folder, ignored);
+      return lastWords();
+    });
+  };
   options.align = command.align == "similarity";
   for (const std::string& text : command.transports) {
     options.transports.push_back(parseTransport(text));
@@ -36,7 +44,7 @@ void applyProject(const ApplyCommand& command, const Progress& progress) {
 
 }  // namespace
 
-void addApply(CLI::App& app, Action& action) {
+void addApply(CLI::App& app, Action& action, InterruptWatch& watch) {
   CLI::App* subcommand = app.add_subcommand(
       "apply", "Deform another mesh, point cloud, VTK data set or glTF model as a project deforms its own");
   const auto command = std::make_shared<ApplyCommand>();
@@ -57,8 +65,8 @@ void addApply(CLI::App& app, Action& action) {
           "given more than once")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  subcommand->callback([command, &action] {
-    action = [command](const Progress& progress) { applyProject(*command, progress); };
+  subcommand->callback([command, &action, &watch] {
+    action = [command, &watch](const Progress& progress) { applyProject(*command, watch, progress); };
   });
 }
 

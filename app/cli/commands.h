@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/interrupt_watch.h"
 #include "core/base/progress.h"
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,8 @@ void addInfo(CLI::App& app, Action& action);
 void addPlace(CLI::App& app, Action& action);
 void addEdit(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
-void addApply(CLI::App& app, Action& action);
+/// watch: told of the folder to remove when it ends the program.
+void addApply(CLI::App& app, Action& action, InterruptWatch& watch);
 void addBench(CLI::App& app, Action& action);
 
 }  // namespace pbffd::cli

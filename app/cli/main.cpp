@@ -1,8 +1,10 @@
 #include "app/cli/commands.h"
-#include "app/cli/interrupt.h"
+#include "app/cli/output.h"
 #include "app/cli/terminal_progress.h"
 #include "core/base/error.h"
+#include "core/base/interrupt_watch.h"
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -14,6 +16,9 @@ using namespace pbffd;
 constexpr int done = 0;
 constexpr int failed = 1;
 constexpr int wrongUsage = 2;
+
+/// How long cancelled work may take to stop by itself.
+constexpr std::chrono::milliseconds patience(800);
 
 /// Does the work, and says on standard error what could not be done.
 int perform(const cli::Action& action, cli::TerminalProgress& terminal, const Progress& progress) {
@@ -27,7 +32,9 @@ int perform(const cli::Action& action, cli::TerminalProgress& terminal, const Pr
     terminal.clear();
     return done;
   } catch (const Cancelled&) {
-    return fail("Cancelled; nothing was written.");
+    terminal.clear();
+    std::fputs(cli::lastWords().c_str(), stderr);
+    return failed;
   } catch (const std::bad_alloc&) {
     return fail("There is not enough memory for this.");
   } catch (const std::exception& error) {
@@ -57,7 +64,7 @@ int report(const CLI::App& app, const CLI::ParseError& error, const char* first)
 int main(int argc, char** argv) {
   cli::TerminalProgress terminal;
   const Progress progress([&terminal](std::string_view stage, double share) { terminal.show(stage, share); });
-  const cli::InterruptWatch watch(progress);
+  InterruptWatch watch(progress, patience, cli::lastWords);
   CLI::App app(
       "Point-based free-form deformation: place control points in and around a mesh, move them, and\n"
       "write the deformed mesh.",
@@ -71,7 +78,7 @@ int main(int argc, char** argv) {
   cli::addEdit(app, action);
   cli::addExport(app, action);
 #ifdef PBFFD_APPLY
-  cli::addApply(app, action);
+  cli::addApply(app, action, watch);
 #endif
   cli::addBench(app, action);
   try {

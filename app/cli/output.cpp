@@ -21,6 +21,10 @@ void printRemarks(const std::vector<std::string>& remarks) {
   }
 }
 
+std::string lastWords() {
+  return "pbffd: Cancelled; nothing was written.\n";
+}
+
 std::string grouped(std::int64_t number) {
   std::string digits = std::to_string(number);
   const std::size_t first = number < 0 ? 1 : 0;

@@ -7,6 +7,12 @@
 namespace pbffd {
 namespace {
 
+void announce(const StagedFiles& staged, const ApplyOptions& options) {
+  if (options.staging) {
+    options.staging(staged.folder());
+  }
+}
+
 ApplyReport applyToOne(const Project& project, const std::filesystem::path& source,
                        const std::filesystem::path& target, const ApplyOptions& options,
                        const Progress& progress) {
@@ -14,11 +20,13 @@ ApplyReport applyToOne(const Project& project, const std::filesystem::path& sour
     requireSameEnding(source, target);
   }
   StagedFiles staged(target);
+  announce(staged, options);
   const auto dataset = openDataset(source, progress);
   if (dataset->pointCount() == 0) {
     failForNoPoints(source);
   }
-  ApplyReport report{dataset->pointCount(), 1, {}};
+  ApplyReport report;
+  report.points = dataset->pointCount();
   const bool isVolume = dependsOnVolumeCells(project) && dataset->hasVolumeCells();
   if (isVolume) {
     report.remarks.push_back(volumeCellsRemark(source));
@@ -31,6 +39,8 @@ ApplyReport applyToOne(const Project& project, const std::filesystem::path& sour
   for (std::string& remark : dataset->write(target, staged, {space, options.transports, progress})) {
     report.remarks.push_back(std::move(remark));
   }
+  report.hasMoved = space.hasMoved();
+  remarkIfStill(project, source, report);
   progress.throwIfCancelled();
   staged.commit();
   return report;
@@ -41,6 +51,7 @@ ApplyReport applyToPartition(const Project& project, const std::filesystem::path
                              const Progress& progress) {
   const Partition partition = readPartition(source, target);
   StagedFiles staged(target);
+  announce(staged, options);
   ApplyReport before;
   const bool isVolume = dependsOnVolumeCells(project) && haveVolumeCells(partition, {}, progress);
   if (isVolume) {
@@ -56,6 +67,7 @@ ApplyReport applyToPartition(const Project& project, const std::filesystem::path
     failForNoPoints(source);
   }
   report.remarks.insert(report.remarks.begin(), before.remarks.begin(), before.remarks.end());
+  remarkIfStill(project, source, report);
   writeFileAtomically(staged.add(target), indexText(partition));
   progress.throwIfCancelled();
   staged.commit();
@@ -78,6 +90,10 @@ std::string applicableEndings() {
 
 bool isApplicable(const std::filesystem::path& path) {
   return isPartition(path) || isDataset(path);
+}
+
+bool hasNamedArrays(const std::filesystem::path& path) {
+  return isPartition(path) || isVtkDataset(path);
 }
 
 }  // namespace pbffd

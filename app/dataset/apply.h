@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,14 @@ struct ApplyOptions {
   bool align = false;
   /// The arrays of a VTK data set that turn along.
   std::vector<Transport> transports;
+  /// Told the folder in which the output is made, for who may end the program before it is done.
+  std::function<void(const std::filesystem::path& folder)> staging;
 };
 
 struct ApplyReport {
   std::int64_t points = 0;
   std::size_t pieces = 1;
+  bool hasMoved = false;             ///< whether any point is elsewhere now
   std::vector<std::string> remarks;  ///< what the user should know, a sentence each
 };
 
@@ -36,5 +40,7 @@ ApplyReport applyToFile(const Project& project, const std::filesystem::path& sou
 /// The endings that applyToFile() reads, for messages and file dialogs: ".obj, .off, ...".
 std::string applicableEndings();
 bool isApplicable(const std::filesystem::path& path);
+/// Whether files of this ending have arrays by name, which ApplyOptions::transports can name.
+bool hasNamedArrays(const std::filesystem::path& path);
 
 }  // namespace pbffd

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/ffd/deform/displacement.h"
 
 #include <algorithm>
 
@@ -28,6 +29,12 @@ auto atPiece(const Partition& partition, std::size_t piece, const Work& work) {
   }
 }
 
+void begin(const PieceShare& share, std::size_t piece) {
+  if (share.begins) {
+    share.begins(piece);
+  }
+}
+
 std::unique_ptr<Dataset> openPiece(const Partition& partition, std::size_t piece, const Progress& progress) {
   return openDataset(partition.pieces[piece].source, progress);
 }
@@ -46,6 +53,19 @@ std::string volumeCellsRemark(const std::filesystem::path& source) {
       "{} has volume cells, so every control point reaches all of its region (reach: all); otherwise they "
       "would tear.",
       source.string());
+}
+
+void remarkIfStill(const Project& project, const std::filesystem::path& source, ApplyReport& report) {
+  if (report.hasMoved) {
+    return;
+  }
+  report.remarks.push_back(
+      LevelDisplacements(project.controls.master, project.controls.finest()).isAnyMoved()
+          ? format(
+                "No point of {} lies where the project moves anything, so it was written as it is. Does it lie "
+                "elsewhere or in another size? Fitting it first (--align similarity) helps then.",
+                source.string())
+          : format("The project is at rest, so {} was written as it is.", source.string()));
 }
 
 PlacedSpace placedSpace(const Project& project, bool hasVolumeCells, const std::optional<Similarity>& toRest,
@@ -89,6 +109,7 @@ std::int64_t strideFor(std::int64_t points) {
 
 bool haveVolumeCells(const Partition& partition, const PieceShare& share, const Progress& progress) {
   for (std::size_t p = share.first; p < partition.pieces.size(); p += share.step) {
+    begin(share, p);
     if (atPiece(partition, p, [&] { return openPiece(partition, p, progress)->hasVolumeCells(); })) {
       return true;
     }
@@ -99,6 +120,7 @@ bool haveVolumeCells(const Partition& partition, const PieceShare& share, const 
 std::int64_t countPoints(const Partition& partition, const PieceShare& share, const Progress& progress) {
   std::int64_t count = 0;
   for (std::size_t p = share.first; p < partition.pieces.size(); p += share.step) {
+    begin(share, p);
     count += atPiece(partition, p, [&] { return openPiece(partition, p, progress)->pointCount(); });
   }
   return count;
@@ -124,6 +146,7 @@ ApplyReport stagePieces(const Partition& partition, const PieceShare& share, Sta
   ApplyReport report;
   report.pieces = 0;
   for (std::size_t p = share.first; p < partition.pieces.size(); p += share.step) {
+    begin(share, p);
     atPiece(partition, p, [&] {
       const auto dataset = openPiece(partition, p, carrying.progress);
       report.points += dataset->pointCount();
@@ -136,6 +159,7 @@ ApplyReport stagePieces(const Partition& partition, const PieceShare& share, Sta
     });
     ++report.pieces;
   }
+  report.hasMoved = carrying.space.hasMoved();
   return report;
 }
 

@@ -5,6 +5,7 @@
 #include "app/dataset/partition.h"
 #include "core/mesh/alignment.h"
 
+#include <functional>
 #include <optional>
 
 namespace pbffd {
@@ -16,6 +17,9 @@ bool dependsOnVolumeCells(const Project& project);
 
 /// The remark that goes with volume cells.
 std::string volumeCellsRemark(const std::filesystem::path& source);
+
+/// Adds a remark where the work was done and no point moved.
+void remarkIfStill(const Project& project, const std::filesystem::path& source, ApplyReport& report);
 
 PlacedSpace placedSpace(const Project& project, bool hasVolumeCells, const std::optional<Similarity>& toRest,
                         const Progress& progress);
@@ -37,6 +41,7 @@ std::int64_t strideFor(std::int64_t points);
 struct PieceShare {
   std::size_t first = 0;
   std::size_t step = 1;
+  std::function<void(std::size_t piece)> begins;  ///< told each piece before it is opened
 };
 
 /// Whether any piece of the share has volume cells.

@@ -33,10 +33,12 @@ std::string endingOf(const std::filesystem::path& path) {
   return ending;
 }
 
+bool isVtkDataset(const std::filesystem::path& path) {
+  return isOneOf(endingOf(path), vtkEndings);
+}
+
 bool isDataset(const std::filesystem::path& path) {
-  const std::string ending = endingOf(path);
-  return formatOfEnding(path) != MeshFormat::none || isOneOf(ending, vtkEndings) ||
-         isOneOf(ending, gltfEndings);
+  return formatOfEnding(path) != MeshFormat::none || isVtkDataset(path) || isOneOf(endingOf(path), gltfEndings);
 }
 
 std::string datasetEndings() {
@@ -51,7 +53,7 @@ std::unique_ptr<Dataset> openDataset(const std::filesystem::path& path, const Pr
   if (isOneOf(ending, gltfEndings)) {
     return openGltfDataset(path, progress);
   }
-  if (!isOneOf(ending, vtkEndings)) {
+  if (!isVtkDataset(path)) {
     throw InvalidInput(format("Could not read {}: its ending names no format with points. Known are {}.",
                               path.string(), datasetEndings()));
   }
@@ -66,6 +68,11 @@ void requireSameEnding(const std::filesystem::path& source, const std::filesyste
     throw InvalidInput(format("Could not write {}: {} keeps its format, so the output must end in {} too.",
                               target.string(), source.string(), endingOf(source)));
   }
+}
+
+std::string keptNormalsRemark(const std::filesystem::path& path, const std::string& normals) {
+  return format("The normals '{}' of {} were kept as they are; --transport {} turns them along.", normals,
+                path.string(), normals);
 }
 
 void failForMissingArray(const std::filesystem::path& path, const Transport& transport,

@@ -44,6 +44,9 @@ class Dataset {
 /// Whether `path` has an ending that openDataset() knows.
 bool isDataset(const std::filesystem::path& path);
 
+/// Whether it is the ending of a VTK data set.
+bool isVtkDataset(const std::filesystem::path& path);
+
 /// The endings that openDataset() knows, for messages: ".obj, .off, ...".
 std::string datasetEndings();
 
@@ -60,5 +63,8 @@ void requireSameEnding(const std::filesystem::path& source, const std::filesyste
 /// Throws InvalidInput that names the file and the array.
 [[noreturn]] void failForMissingArray(const std::filesystem::path& path, const Transport& transport,
                                       const std::string& why);
+
+/// The remark on active normals that nobody asked to transport.
+std::string keptNormalsRemark(const std::filesystem::path& path, const std::string& normals);
 
 }  // namespace pbffd

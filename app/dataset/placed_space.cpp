@@ -9,15 +9,21 @@ PlacedSpace::PlacedSpace(SpaceDeformation space, const std::optional<Similarity>
 
 Points PlacedSpace::positions(const Eigen::Ref<const Points>& places, const Progress& progress) const {
   if (!isPlaced_) {
-    return space_.positions(places, progress);
+    Points moved = space_.positions(places, progress);
+    note(places, moved);
+    return moved;
   }
   const Points rest = atRest(places);
-  return back(places, rest, space_.positions(rest, progress));
+  Points moved = back(places, rest, space_.positions(rest, progress));
+  note(places, moved);
+  return moved;
 }
 
 SpaceImage PlacedSpace::image(const Eigen::Ref<const Points>& places, const Progress& progress) const {
   if (!isPlaced_) {
-    return space_.image(places, progress);
+    SpaceImage image = space_.image(places, progress);
+    note(places, image.positions);
+    return image;
   }
   const Points rest = atRest(places);
   SpaceImage image = space_.image(rest, progress);
@@ -25,7 +31,14 @@ SpaceImage PlacedSpace::image(const Eigen::Ref<const Points>& places, const Prog
   for (Mat3& gradient : image.gradients) {
     gradient = toRest_.rotation.transpose() * gradient * toRest_.rotation;
   }
+  note(places, image.positions);
   return image;
+}
+
+void PlacedSpace::note(const Eigen::Ref<const Points>& places, const Points& moved) const {
+  if (!*hasMoved_ && places != moved) {
+    *hasMoved_ = true;
+  }
 }
 
 // Row by row and not as a product of matrices, whose rounding may depend on how many rows there are.

@@ -1,6 +1,7 @@
 #include "app/dataset/raw_file.h"
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -18,8 +19,9 @@ namespace {
 /// Copied between two looks at whether to go on.
 constexpr std::uint64_t copyStep = std::uint64_t{32} << 20;
 
-[[noreturn]] void fail(const char* verb, const std::filesystem::path& name, int code) {
-  throw IoError(format("Could not {} {}: {}.", verb, name.string(), std::generic_category().message(code)));
+[[noreturn]] void failToRead(const std::filesystem::path& name, int code) {
+  throw IoError(format("Could not read {}: {}. Copy it to this machine and try again.", name.string(),
+                       std::generic_category().message(code)));
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ constexpr std::uint64_t copyStep = std::uint64_t{32} << 20;
 RawFile RawFile::forReading(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    fail("read", path, errno);
+    failToRead(path, errno);
   }
   return {descriptor, path};
 }
@@ -35,7 +37,7 @@ RawFile RawFile::forReading(const std::filesystem::path& path) {
 RawFile RawFile::forWriting(const std::filesystem::path& path, const std::filesystem::path& name) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) {
-    fail("write", name, errno);
+    failToWrite(name, errno);
   }
   return {descriptor, name};
 }
@@ -49,6 +51,12 @@ RawFile::~RawFile() {
 RawFile::RawFile(RawFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)) {}
 
+void RawFile::close() {
+  if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) {
+    failToWrite(name_, errno);
+  }
+}
+
 void RawFile::read(std::uint64_t at, std::span<char> bytes) const {
   while (!bytes.empty()) {
     const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at));
@@ -56,7 +64,7 @@ void RawFile::read(std::uint64_t at, std::span<char> bytes) const {
       continue;
     }
     if (count <= 0) {
-      fail("read", name_, count < 0 ? errno : EIO);
+      failToRead(name_, count < 0 ? errno : EIO);
     }
     bytes = bytes.subspan(static_cast<std::size_t>(count));
     at += static_cast<std::uint64_t>(count);
@@ -70,7 +78,7 @@ void RawFile::write(std::uint64_t at, std::string_view bytes) {
       continue;
     }
     if (count < 0) {
-      fail("write", name_, errno);
+      failToWrite(name_, errno);
     }
     bytes.remove_prefix(static_cast<std::size_t>(count));
     at += static_cast<std::uint64_t>(count);
@@ -86,7 +94,7 @@ bool RawFile::copyInKernel(const RawFile& source, std::uint64_t from, std::uint6
       continue;
     }
     if (count < 0 && (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)) {
-      fail("write", name_, errno);
+      failToWrite(name_, errno);
     }
     if (count <= 0) {
       return false;

@@ -24,6 +24,9 @@ class RawFile {
   void read(std::uint64_t at, std::span<char> bytes) const;
   void write(std::uint64_t at, std::string_view bytes);
 
+  /// Throws what some file systems say of a full disk only then. Nothing may follow.
+  void close();
+
   /// Writes source's bytes [from, end) at `at`. Throws Cancelled.
   void copy(const RawFile& source, std::uint64_t from, std::uint64_t end, std::uint64_t at,
             const Progress& progress);

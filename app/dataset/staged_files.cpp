@@ -1,6 +1,6 @@
 #include "app/dataset/staged_files.h"
 
-#include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 
 #include <unistd.h>
@@ -12,35 +12,12 @@
 
 namespace pbffd {
 namespace fs = std::filesystem;
-namespace {
-
-[[noreturn]] void fail(const fs::path& path, const std::error_code& code) {
-  throw IoError(format("Could not write {}: {}. Choose another place, or see to its permissions and space.",
-                       path.string(), code.message()));
-}
-
-/// A link is followed, so that writing through it does not replace it.
-fs::path resolved(const fs::path& path) {
-  std::error_code notThere;
-  const fs::path whole = fs::canonical(path, notThere);
-  if (notThere) {
-    return path;
-  }
-  if (!fs::is_regular_file(whole)) {
-    throw IoError(
-        format("Could not write {}: it is there and is no regular file. Choose another name.", path.string()));
-  }
-  return whole;
-}
-
-}  // namespace
-
 StagedFiles::StagedFiles(const fs::path& beside) : ownsFolder_(true) {
-  const fs::path target = resolved(beside);
+  const fs::path target = writeTarget(beside);
   const fs::path parent = target.parent_path().empty() ? fs::path(".") : target.parent_path();
   std::string pattern = (parent / format(".{}.XXXXXX", target.filename().string())).string();
   if (::mkdtemp(pattern.data()) == nullptr) {
-    fail(beside, std::error_code(errno, std::generic_category()));
+    failToWrite(beside, errno);
   }
   folder_ = pattern;
 }
@@ -61,25 +38,30 @@ StagedFiles::~StagedFiles() {
 
 fs::path StagedFiles::add(const fs::path& target) {
   const fs::path staged = folder_ / format("{}{}{}", name_, files_.size(), target.extension().string());
-  files_.push_back({staged, resolved(target)});
+  files_.push_back({staged, writeTarget(target)});
   return staged;
 }
 
 void StagedFiles::commit() {
+  std::error_code code;
+  const auto require = [&code](const File& file) {
+    if (code) {
+      failToWrite(file.target, code.value());
+    }
+  };
+  // What can fail goes first: from the first new name on, only names are given.
   for (const File& file : files_) {
-    std::error_code code;
     if (const fs::path parent = file.target.parent_path(); !parent.empty()) {
       fs::create_directories(parent, code);
     }
-    if (!code && fs::exists(file.target)) {
+    if (!code && fs::exists(file.target, code)) {
       fs::permissions(file.staged, fs::status(file.target).permissions(), code);
     }
-    if (!code) {
-      fs::rename(file.staged, file.target, code);
-    }
-    if (code) {
-      fail(file.target, code);
-    }
+    require(file);
+  }
+  for (const File& file : files_) {
+    fs::rename(file.staged, file.target, code);
+    require(file);
   }
   files_.clear();
 }

@@ -15,6 +15,7 @@
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace pbffd {
@@ -66,17 +67,17 @@ class VtkDataset : public Dataset {
 
  private:
   std::vector<std::string> remarks(const VtkFields& fields) const {
+    std::vector<std::string> remarks;
+    for (const std::string& warning : file_.warnings) {
+      remarks.push_back(format("VTK says of {}: {}.", path_.string(), warning));
+    }
     vtkDataArray* normals = file_.data->GetPointData()->GetNormals();
-    if (normals == nullptr || normals->GetName() == nullptr) {
-      return {};
+    const bool isTransported = std::any_of(fields.ofPoints.begin(), fields.ofPoints.end(),
+                                           [&](const VtkField& field) { return field.array == normals; });
+    if (normals != nullptr && normals->GetName() != nullptr && !isTransported) {
+      remarks.push_back(keptNormalsRemark(path_, normals->GetName()));
     }
-    for (const VtkField& field : fields.ofPoints) {
-      if (field.array == normals) {
-        return {};
-      }
-    }
-    return {format("The normals '{}' of {} were kept as they are; --transport {} turns them along.",
-                   normals->GetName(), path_.string(), normals->GetName())};
+    return remarks;
   }
 
   std::filesystem::path path_;

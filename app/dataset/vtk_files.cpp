@@ -43,7 +43,7 @@ void requireReadable(const std::filesystem::path& path) {
 
 /// Runs a reader whose output is what it reads.
 template <class Reader>
-vtkSmartPointer<vtkPointSet> read(Reader& reader, const std::filesystem::path& path, const Progress& progress) {
+VtkFile read(Reader& reader, const std::filesystem::path& path, const Progress& progress) {
   const VtkWatch watch(reader, "Reading " + path.filename().string(), progress);
   reader.SetFileName(path.c_str());
   reader.Update();
@@ -55,15 +55,17 @@ vtkSmartPointer<vtkPointSet> read(Reader& reader, const std::filesystem::path& p
                path.string(),
                errors.empty() ? vtkErrorCode::GetStringFromErrorCode(reader.GetErrorCode()) : errors.c_str()));
   }
-  return vtkSmartPointer<vtkPointSet>(reader.GetOutput());
+  VtkFile file;
+  file.data = reader.GetOutput();
+  file.warnings = watch.warnings();
+  return file;
 }
 
 template <class Reader>
 VtkFile readXml(const std::filesystem::path& path, const Progress& progress) {
   const vtkNew<Reader> reader;
-  VtkFile file;
+  VtkFile file = read(*reader, path, progress);
   file.xml = xmlSettingsOf(path);
-  file.data = read(*reader, path, progress);
   return file;
 }
 
@@ -78,9 +80,8 @@ VtkFile readLegacy(const std::filesystem::path& path, const LegacyHeader& header
   reader->ReadAllColorScalarsOn();
   reader->ReadAllTCoordsOn();
   reader->ReadAllFieldsOn();
-  VtkFile file;
+  VtkFile file = read(*reader, path, progress);
   file.legacy = header;
-  file.data = read(*reader, path, progress);
   file.legacyType = reader->GetFileType();
   file.title = reader->GetHeader() == nullptr ? "" : reader->GetHeader();
   return file;

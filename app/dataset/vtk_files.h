@@ -8,16 +8,18 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace pbffd {
 
 /// A data set and how its file was written.
 struct VtkFile {
   vtkSmartPointer<vtkPointSet> data;
-  XmlSettings xml;      ///< of an XML file
-  LegacyHeader legacy;  ///< of a legacy file
-  int legacyType = 0;   ///< VTK_ASCII or VTK_BINARY
-  std::string title;    ///< the second line of a legacy file
+  XmlSettings xml;                    ///< of an XML file
+  LegacyHeader legacy;                ///< of a legacy file
+  int legacyType = 0;                 ///< VTK_ASCII or VTK_BINARY
+  std::string title;                  ///< the second line of a legacy file
+  std::vector<std::string> warnings;  ///< of VTK while it was read
 };
 
 /// Throws IoError, or InvalidInput that names the file and says what VTK found wrong in it; Cancelled.

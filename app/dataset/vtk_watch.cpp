@@ -1,13 +1,16 @@
 #include "app/dataset/vtk_watch.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <vtkCommand.h>
+#include <vtkLogger.h>
 #include <vtkXMLReader.h>
 #include <vtkXMLWriter.h>
 
 #include <algorithm>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace pbffd {
@@ -31,21 +34,54 @@ class VtkWatch::Observer : public vtkCommand {
   static Observer* New() { return new Observer; }
 
   void Execute(vtkObject*, unsigned long event, void* data) override {
-    if (event == vtkCommand::ErrorEvent) {
-      watch->errors_.push_back(essence(data == nullptr ? "" : static_cast<const char*>(data)));
-    } else if (event == vtkCommand::ProgressEvent) {
+    if (event == vtkCommand::ProgressEvent) {
       watch->progress_.report(watch->stage_, data == nullptr ? -1.0 : *static_cast<const double*>(data));
       if (watch->progress_.isCancelled()) {
         watch->stop();
       }
+    } else {
+      watch->hear(event == vtkCommand::ErrorEvent, data == nullptr ? "" : static_cast<const char*>(data));
     }
   }
 
   VtkWatch* watch = nullptr;
 };
 
+/// What VTK's log says on this thread: parts of a reader that nobody can observe speak there, and would be
+/// heard on standard error alone.
+class VtkWatch::LogListener {
+ public:
+  explicit LogListener(VtkWatch& watch)
+      : watch_(watch), name_(format("pbffd {}", static_cast<const void*>(this))) {
+    vtkLogger::AddCallback(name_.c_str(), &LogListener::hear, this, vtkLogger::VERBOSITY_WARNING);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~LogListener() {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
+    vtkLogger::RemoveCallback(name_.c_str());
+  }
+  LogListener(const LogListener&) = delete;
+  LogListener& operator=(const LogListener&) = delete;
+
+ private:
+  static void hear(void* listener, const vtkLogger::Message& message) {
+    const auto* self = static_cast<const LogListener*>(listener);
+    if (std::this_thread::get_id() == self->thread_) {
+      self->watch_.hear(message.verbosity <= vtkLogger::VERBOSITY_ERROR, message.message);
+    }
+  }
+
+  VtkWatch& watch_;
+  std::string name_;
+  std::thread::id thread_ = std::this_thread::get_id();
+};
+
 VtkWatch::VtkWatch(vtkAlgorithm& algorithm, std::string stage, const Progress& progress)
-    : algorithm_(algorithm), stage_(std::move(stage)), progress_(progress), observer_(Observer::New()) {
+    : algorithm_(algorithm),
+      stage_(std::move(stage)),
+      progress_(progress),
+      observer_(Observer::New()),
+      log_(std::make_unique<LogListener>(*this)) {
   observer_->watch = this;
   for (const unsigned long event :
        {vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent}) {
@@ -71,6 +107,18 @@ void VtkWatch::stop() {
   // A reader looks at that often; a writer never does.
   if (vtkXMLWriter::SafeDownCast(&algorithm_) != nullptr) {
     throw Cancelled();
+  }
+}
+
+void VtkWatch::hear(bool isError, std::string_view text) {
+  // VTK warns of some of its errors only. The pipeline repeats what its parts said, at length.
+  if (isError || text.find("rror ") != std::string_view::npos) {
+    const bool isEcho = text.find("returned failure for request") != std::string_view::npos;
+    if (!isEcho || errors_.empty()) {
+      errors_.push_back(isEcho ? "it could not be read" : essence(text));
+    }
+  } else {
+    warnings_.push_back(essence(text));
   }
 }
 

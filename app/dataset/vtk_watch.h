@@ -4,15 +4,15 @@
 
 #include <vtkAlgorithm.h>
 
-#include <filesystem>
-#include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pbffd {
 
-/// Listens to a VTK reader or writer: reports its progress, stops it when that is cancelled, and keeps what it
-/// says went wrong, which VTK would print.
+/// Listens to a VTK reader or writer on the thread that runs it: reports its progress, stops it when that is
+/// cancelled, and keeps what it says went wrong, which VTK would print.
 class VtkWatch {
  public:
   /// stage: what the user reads meanwhile. Forgets the algorithm when it dies.
@@ -27,15 +27,22 @@ class VtkWatch {
   /// What went wrong, in VTK's words without the places in its source; empty for nothing.
   std::string errors() const;
 
+  /// What it warned of.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
  private:
   class Observer;
+  class LogListener;
+  void hear(bool isError, std::string_view text);
   void stop();
 
   vtkAlgorithm& algorithm_;
   std::string stage_;
   Progress progress_;
   std::vector<std::string> errors_;
+  std::vector<std::string> warnings_;
   Observer* observer_;
+  std::unique_ptr<LogListener> log_;
 };
 
 }  // namespace pbffd

@@ -55,26 +55,6 @@ std::string_view adviceFor(int code) {
   }
 }
 
-[[noreturn]] void failToWrite(const std::filesystem::path& path, int code) {
-  throw IoError(format("Could not write {}: {}. {}", path.string(), std::generic_category().message(code),
-                       adviceFor(code)));
-}
-
-/// Where writing to `path` ends: links are followed, also one to a file that is not there yet.
-std::filesystem::path targetOf(const std::filesystem::path& path) {
-  std::error_code failure;
-  std::filesystem::path target = path;
-  constexpr int mostLinks = 40;
-  for (int links = 0; std::filesystem::is_symlink(target, failure); ++links) {
-    if (links == mostLinks) {
-      failToWrite(path, ELOOP);
-    }
-    const std::filesystem::path next = std::filesystem::read_symlink(target, failure);
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return target;
-}
-
 void writeAll(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -103,6 +83,28 @@ mode_t permissionsFor(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void failToWrite(const std::filesystem::path& path, int code) {
+  throw IoError(format("Could not write {}: {}. {}", path.string(), std::generic_category().message(code),
+                       adviceFor(code)));
+}
+
+std::filesystem::path writeTarget(const std::filesystem::path& path) {
+  std::error_code failure;
+  std::filesystem::path target = path;
+  constexpr int mostLinks = 40;
+  for (int links = 0; std::filesystem::is_symlink(target, failure); ++links) {
+    if (links == mostLinks) {
+      failToWrite(path, ELOOP);
+    }
+    const std::filesystem::path next = std::filesystem::read_symlink(target, failure);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  if (std::filesystem::exists(target, failure) && !std::filesystem::is_regular_file(target, failure)) {
+    throw IoError(format("Could not write {}: it is not a regular file. Choose another name.", path.string()));
+  }
+  return target;
+}
 
 std::string readFile(const std::filesystem::path& path) {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
@@ -133,11 +135,7 @@ std::string readFile(const std::filesystem::path& path) {
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
   // A link is followed, so that saving through it does not replace it.
-  const std::filesystem::path target = targetOf(path);
-  std::error_code ignored;
-  if (std::filesystem::exists(target, ignored) && !std::filesystem::is_regular_file(target, ignored)) {
-    throw IoError(format("Could not write {}: it is not a regular file. Choose another name.", path.string()));
-  }
+  const std::filesystem::path target = writeTarget(path);
   std::string temporary = target.string() + ".XXXXXX";
   const Descriptor file(::mkstemp(temporary.data()));
   if (file.get() < 0) {

@@ -13,6 +13,14 @@ std::string readFile(const std::filesystem::path& path);
 /// Throws IoError that names the file and the reason (a full disk, no permission); `path` is then untouched.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Where writing to `path` ends: links are followed, also one to a file that is not there yet. Throws IoError
+/// where something is there that is no regular file.
+std::filesystem::path writeTarget(const std::filesystem::path& path);
+
+/// Throws the IoError of a file that could not be written: names it, what the system says (an errno), what to
+/// try.
+[[noreturn]] void failToWrite(const std::filesystem::path& path, int code);
+
 /// The SHA-256 digest of `bytes`, 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 

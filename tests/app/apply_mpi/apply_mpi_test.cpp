@@ -6,6 +6,7 @@
 #include "tests/app/dataset/partition_fixture.h"
 #include "tests/support/test_main.h"
 
+#include <QDir>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -121,12 +122,13 @@ class ApplyMpiTest : public QObject {
     process.start(PBFFD_MPIRUN,
                   arguments(2, {path("bent.pbffd"), path("in/run.pvtu"), "-o", path("out/run.pvtu")}));
     qint64 rank = 0;
-    QTRY_VERIFY_WITH_TIMEOUT((rank = childOf(process.processId())) != 0, 20000);
-    QTest::qWait(500);
+    QTRY_VERIFY_WITH_TIMEOUT((rank = rankOne(process.processId())) != 0, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(noteOfRankOne(), QByteArray("3\n"), 20000);
     QCOMPARE(QProcess::execute("kill", {"-KILL", QString::number(rank)}), 0);
     QVERIFY(process.waitForFinished(patience));
     QVERIFY(process.exitCode() != 0);
-    QVERIFY2(process.readAll().contains("rank"), "mpirun names the rank");
+    const QByteArray said = process.readAll();
+    QVERIFY2(said.contains("run.pvtu: rank 1 ended while it worked on piece 4 of 6 ("), said);
     QVERIFY(test::namesIn(folder_ / "out").empty());
   }
 
@@ -138,12 +140,26 @@ class ApplyMpiTest : public QObject {
  private:
   QString path(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
 
-  /// A process that `parent` started; 0 for none.
-  static qint64 childOf(qint64 parent) {
-    QProcess pgrep;
-    pgrep.start("pgrep", {"-P", QString::number(parent), "-f", "pbffd-apply-mpi"});
-    pgrep.waitForFinished();
-    return pgrep.readAll().split('\n').value(0).toLongLong();
+  /// The process of rank 1, which `parent` started; 0 for none.
+  static qint64 rankOne(qint64 parent) {
+    for (const QByteArray& child : contentOf(QString("/proc/%1/task/%1/children").arg(parent)).split(' ')) {
+      const QByteArray environment = contentOf(QString("/proc/%1/environ").arg(QString(child)));
+      if (environment.split('\0').contains("OMPI_COMM_WORLD_RANK=1")) {
+        return child.toLongLong();
+      }
+    }
+    return 0;
+  }
+
+  /// What rank 1 has noted as its present work, in the folder of the staged files.
+  QByteArray noteOfRankOne() const {
+    const QStringList staged = QDir(path("out")).entryList(QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot);
+    return staged.isEmpty() ? QByteArray() : contentOf(path("out/") + staged.front() + "/r1.piece");
+  }
+
+  static QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
 
   std::unique_ptr<QTemporaryDir> dir_;

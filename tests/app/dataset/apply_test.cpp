@@ -160,8 +160,9 @@ class ApplyTest : public QObject {
     const auto grid = test::hexahedra(6, true);
     test::writeXml(folder_ / "a.vtu", *grid, mode);
     const Project project = test::bentProject();
-    const ApplyReport report = applyToFile(project, folder_ / "a.vtu", folder_ / "b.vtu",
-                                           {false, {parseTransport("velocity"), parseTransport("Normals")}});
+    const ApplyReport report =
+        applyToFile(project, folder_ / "a.vtu", folder_ / "b.vtu",
+                    {false, {parseTransport("velocity"), parseTransport("Normals")}, {}});
     QVERIFY(report.remarks.empty());
     const auto result = test::readBack(folder_ / "b.vtu");
     const SpaceImage image = imageOf(project, test::pointsOf(*grid));
@@ -181,7 +182,7 @@ class ApplyTest : public QObject {
     const auto grid = test::hexahedra(4, true);
     test::writeXml(folder_ / "a.vtu", *grid, test::XmlMode::ascii);
     const Project project = test::bentProject();
-    applyToFile(project, folder_ / "a.vtu", folder_ / "b.vtu", {false, {parseTransport("flux:vector")}});
+    applyToFile(project, folder_ / "a.vtu", folder_ / "b.vtu", {false, {parseTransport("flux:vector")}, {}});
     Points center(1, 3);
     center << -0.75, -0.75, -0.75;
     const Vec3 expected =
@@ -195,6 +196,18 @@ class ApplyTest : public QObject {
     const ApplyReport report = applyToFile(test::bentProject(), folder_ / "a.vtu", folder_ / "b.vtu");
     QCOMPARE(report.remarks.size(), std::size_t{1});
     QVERIFY(QString::fromStdString(report.remarks[0]).contains("--transport Normals"));
+  }
+
+  void fileThatStaysIsMentioned() {
+    const std::string far = "v 50 50 50\nv 51 50 50\n";
+    writeFileAtomically(folder_ / "far.obj", far);
+    const auto remarkOf = [&](const Project& project) {
+      const ApplyReport report = applyToFile(project, folder_ / "far.obj", folder_ / "b.obj");
+      return QString::fromStdString(report.remarks.size() == 1 ? report.remarks[0] : std::string());
+    };
+    QVERIFY(remarkOf(test::bentProject()).contains("--align similarity"));
+    QVERIFY(remarkOf(test::restingProject()).contains("at rest"));
+    QCOMPARE(readFile(folder_ / "b.obj"), far);
   }
 
   void volumeCellsTakeAllAndSurfacesDoNot() {
@@ -264,6 +277,8 @@ class ApplyTest : public QObject {
     row("cut short", "short.vtu", "b.vtu", "", "short.vtu");
     row("cut short, compressed", "short_zip.vtu", "b.vtu", "", "short_zip.vtu");
     row("unreadable array", "broken.vtu", "b.vtu", "", "broken.vtu");
+    row("cut short, legacy", "short.vtk", "b.vtk", "", "short.vtk: Error reading");
+    row("points of no known type", "typeless.vtu", "b.vtu", "", "typeless.vtu");
     row("more points than bytes", "many.vtu", "b.vtu", "", "many.vtu: its header promises");
     row("not VTK", "words.vtu", "b.vtu", "", "words.vtu");
     row("not legacy VTK", "words.vtk", "b.vtk", "", "words.vtk");
@@ -296,9 +311,9 @@ class ApplyTest : public QObject {
   void arrayNamedTwiceIsAnError() {
     test::writeXml(folder_ / "a.vtu", *test::hexahedra(3, true), test::XmlMode::raw);
     const Transport transport = parseTransport("velocity");
-    QVERIFY_EXCEPTION_THROWN(
-        applyToFile(test::bentProject(), folder_ / "a.vtu", folder_ / "b.vtu", {false, {transport, transport}}),
-        InvalidInput);
+    QVERIFY_EXCEPTION_THROWN(applyToFile(test::bentProject(), folder_ / "a.vtu", folder_ / "b.vtu",
+                                         {false, {transport, transport}, {}}),
+                             InvalidInput);
   }
 
   void outputThatIsNoRegularFileIsNamedAndStays() {
@@ -345,6 +360,12 @@ class ApplyTest : public QObject {
     test::writeXml(folder_ / "good_zip.vtu", *grid, test::XmlMode::rawCompressed);
     const std::string packed = readFile(folder_ / "good_zip.vtu");
     put("short_zip.vtu", packed.substr(0, packed.size() / 2));
+    test::writeLegacy(folder_ / "good.vtk", *grid, true, 51);
+    const std::string legacy = readFile(folder_ / "good.vtk");
+    put("short.vtk", legacy.substr(0, legacy.size() * 9 / 10));
+    std::string typeless = good;
+    typeless.replace(typeless.find("\"Float64\"", typeless.find("<Points>")), 9, "\"Float9\" ");
+    put("typeless.vtu", typeless);
     test::writeXml(folder_ / "text.vtu", *grid, test::XmlMode::ascii);
     std::string broken = readFile(folder_ / "text.vtu");
     broken.replace(broken.find("NumberOfPoints=\"216\""), 20, "NumberOfPoints=\"999\"");

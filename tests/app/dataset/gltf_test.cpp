@@ -217,7 +217,7 @@ class GltfTest : public QObject {
   void transportBelongsToVtkAlone() {
     const std::string name = write("binary", model());
     QVERIFY_EXCEPTION_THROWN(applyToFile(test::bentProject(), folder_ / name, folder_ / "out" / name,
-                                         {false, {parseTransport("NORMAL")}}),
+                                         {false, {parseTransport("NORMAL")}, {}}),
                              InvalidInput);
   }
 

@@ -1,14 +1,16 @@
 #include "app/dataset/raw_xml_dataset.h"
 
 #include "app/dataset/raw_file.h"
+#include "app/dataset/raw_header.h"
 #include "app/dataset/raw_rows.h"
 #include "app/dataset/raw_xml_layout.h"
 #include "app/dataset/vtk_cell_kinds.h"
-#include "core/base/text.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,71 +18,31 @@
 namespace pbffd {
 namespace {
 
-/// Rows taken at a time: enough for all cores, little memory.
-constexpr std::int64_t portion = 1 << 19;
+/// Rows taken at a time: enough to find what is near in space, little memory.
+constexpr std::int64_t portion = 1 << 17;
 
-/// The least and largest length of an array's rows, as VTK notes them in the header.
-struct LengthRange {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-};
+/// Bytes copied at a time.
+constexpr std::uint64_t copyPortion = std::uint64_t{32} << 20;
 
 /// A piece's array that changes.
 struct Moving {
   const RawArray* array;
   FieldKind kind;  ///< of a field; unused for the positions
   std::uint64_t bytes;
-  LengthRange lengths;
 };
 
-/// The header with room for numbers that are known only in the end.
-class RewrittenHeader {
- public:
-  explicit RewrittenHeader(const RawXmlLayout& layout) : text_(layout.header) {}
+/// What changes of a piece: the positions first, then the fields.
+struct MovingPiece {
+  std::vector<Moving> arrays;
+  std::int64_t points;
+  std::size_t first;  ///< number of the first of them among the arrays of all pieces
+};
 
-  /// Makes room for the lengths of these arrays. Call once.
-  void makeRoom(const std::vector<Moving>& arrays) {
-    for (std::size_t a = 0; a < arrays.size(); ++a) {
-      for (const RawArray::Range& range : arrays[a].array->ranges) {
-        rooms_.push_back({range, a, 0});
-      }
-    }
-    std::sort(rooms_.begin(), rooms_.end(),
-              [](const Room& x, const Room& y) { return x.range.begin < y.range.begin; });
-    std::string text;
-    std::size_t at = 0;
-    for (Room& room : rooms_) {
-      text.append(text_, at, room.range.begin - at);
-      room.begin = text.size();
-      // The closing quote of an attribute follows its number, the spaces follow the quote.
-      text.append(width + (room.range.isAttribute ? 1 : 0), ' ');
-      at = room.range.end + (room.range.isAttribute ? 1 : 0);
-    }
-    text_ = text + text_.substr(at);
-  }
-
-  const std::string& filled(const std::vector<Moving>& arrays) {
-    for (const Room& room : rooms_) {
-      const LengthRange& lengths = arrays[room.array].lengths;
-      const double length = room.range.isLargest ? lengths.largest : std::min(lengths.least, lengths.largest);
-      const std::string number = format("{}", length) + (room.range.isAttribute ? "\"" : "");
-      text_.replace(room.begin, number.size(), number);
-    }
-    return text_;
-  }
-
-  std::size_t size() const { return text_.size(); }
-
- private:
-  /// More than the longest double takes.
-  static constexpr std::size_t width = 26;
-  struct Room {
-    RawArray::Range range;
-    std::size_t array;
-    std::size_t begin;
-  };
-  std::string text_;
-  std::vector<Room> rooms_;
+/// A part of the work on a file, independent of the others: rows of a piece, or bytes to copy.
+struct Part {
+  const MovingPiece* piece;  ///< null: bytes
+  std::uint64_t begin;       ///< the first row or byte
+  std::uint64_t end;
 };
 
 class RawXmlDataset : public Dataset {
@@ -127,26 +89,36 @@ class RawXmlDataset : public Dataset {
   std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
                                  const Carrying& carrying) override {
     requireSameEnding(path_, target);
-    std::vector<std::vector<Moving>> moving;
-    for (const RawPiece& piece : layout_.pieces) {
-      moving.push_back(piece.points > 0 ? movingOf(piece, carrying.transports) : std::vector<Moving>());
-    }
+    const std::vector<MovingPiece> moving = movingPieces(carrying.transports);
     RawFile out = RawFile::forWriting(staged.add(target), target);
     if (!carrying.space.movesAnything()) {
       out.copy(file_, 0, layout_.fileBytes, 0, carrying.progress);
+      out.close();
       return {};
     }
     copyMoved(out, moving, carrying);
+    out.close();
     return remarks(carrying.transports);
   }
 
  private:
-  /// The positions first, then the fields.
+  std::vector<MovingPiece> movingPieces(const std::vector<Transport>& transports) const {
+    std::vector<MovingPiece> pieces;
+    std::size_t first = 0;
+    for (const RawPiece& piece : layout_.pieces) {
+      if (piece.points > 0) {
+        pieces.push_back({movingOf(piece, transports), piece.points, first});
+        first += pieces.back().arrays.size();
+      }
+    }
+    return pieces;
+  }
+
   std::vector<Moving> movingOf(const RawPiece& piece, const std::vector<Transport>& transports) const {
     const auto bytes = [&](const RawArray& array) {
       return array.rowBytes() * static_cast<std::uint64_t>(piece.points);
     };
-    std::vector<Moving> moving{{&piece.positions, FieldKind::vector, bytes(piece.positions), {}}};
+    std::vector<Moving> moving{{&piece.positions, FieldKind::vector, bytes(piece.positions)}};
     for (const Transport& transport : transports) {
       const auto array =
           std::find_if(piece.pointArrays.begin(), piece.pointArrays.end(),
@@ -157,82 +129,93 @@ class RawXmlDataset : public Dataset {
                             "the name.");
       }
       const bool isNormal = array->name == piece.normals || namesNormals(array->name);
-      moving.push_back({&*array,
-                        transport.kind.value_or(isNormal ? FieldKind::normal : FieldKind::vector),
-                        bytes(*array),
-                        {}});
+      moving.push_back(
+          {&*array, transport.kind.value_or(isNormal ? FieldKind::normal : FieldKind::vector), bytes(*array)});
     }
     return moving;
   }
 
-  void copyMoved(RawFile& out, const std::vector<std::vector<Moving>>& moving, const Carrying& carrying) const {
-    std::vector<Moving> all;
-    for (const std::vector<Moving>& piece : moving) {
-      all.insert(all.end(), piece.begin(), piece.end());
-    }
-    RewrittenHeader header(layout_);
-    header.makeRoom(all);
-    const std::uint64_t dataBegin = layout_.header.size();
-    copyUnmoved(out, all, header.size(), carrying.progress);
-    std::size_t next = 0;
-    std::int64_t done = 0;
-    for (std::size_t p = 0; p < layout_.pieces.size(); ++p) {
-      const std::size_t first = std::exchange(next, next + moving[p].size());
-      for (std::int64_t row = 0; row < layout_.pieces[p].points; row += portion) {
-        const std::int64_t rows = std::min(portion, layout_.pieces[p].points - row);
-        carrying.progress.report("Deforming", static_cast<double>(done) / static_cast<double>(pointCount()));
-        moveRows(out, {all.data() + first, moving[p].size()}, {row, rows}, header.size() - dataBegin, carrying);
-        done += rows;
+  /// Copies and deforms at once: the one waits for the disk and the memory, the other for the processor.
+  void copyMoved(RawFile& out, const std::vector<MovingPiece>& pieces, const Carrying& carrying) const {
+    std::vector<const RawArray*> arrays;
+    for (const MovingPiece& piece : pieces) {
+      for (const Moving& moving : piece.arrays) {
+        arrays.push_back(moving.array);
       }
     }
-    out.write(0, header.filled(all));
+    const RawHeader header(layout_.header, arrays);
+    const std::uint64_t shift = header.size() - layout_.header.size();
+    const std::vector<Part> parts = partsOf(pieces);
+    std::vector<LengthRange> lengths(arrays.size());
+    std::mutex mutex;
+    std::atomic<std::size_t> done{0};
+    parallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        carrying.progress.throwIfCancelled();
+        if (parts[p].piece == nullptr) {
+          out.copy(file_, parts[p].begin, parts[p].end, parts[p].begin + shift, carrying.progress);
+        } else {
+          const std::vector<StoredLengths> stored = moveRows(out, parts[p], shift, carrying.space);
+          const std::lock_guard lock(mutex);
+          for (std::size_t a = 0; a < stored.size(); ++a) {
+            lengths[parts[p].piece->first + a].add(stored[a]);
+          }
+        }
+        carrying.progress.report("Deforming", static_cast<double>(++done) / static_cast<double>(parts.size()));
+      }
+    });
+    out.write(0, header.filled(lengths));
   }
 
-  /// Everything behind the header that does not move.
-  void copyUnmoved(RawFile& out, const std::vector<Moving>& moving, std::uint64_t headerBytes,
-                   const Progress& progress) const {
+  /// All that lies behind the header: the rows that move, and the bytes between them.
+  std::vector<Part> partsOf(const std::vector<MovingPiece>& pieces) const {
+    std::vector<Part> parts;
     std::map<std::uint64_t, std::uint64_t> gaps;
-    for (const Moving& array : moving) {
-      gaps.emplace(array.array->begin, array.array->begin + array.bytes);
-    }
-    const std::uint64_t shift = headerBytes - layout_.header.size();
-    std::uint64_t from = layout_.header.size();
-    progress.report("Copying");
-    for (const auto& [begin, end] : gaps) {
-      if (begin > from) {
-        out.copy(file_, from, begin, from + shift, progress);
+    for (const MovingPiece& piece : pieces) {
+      for (const Moving& moving : piece.arrays) {
+        gaps.emplace(moving.array->begin, moving.array->begin + moving.bytes);
       }
+      append(parts, {&piece, 0, static_cast<std::uint64_t>(piece.points)}, portion);
+    }
+    std::uint64_t from = layout_.header.size();
+    for (const auto& [begin, end] : gaps) {
+      append(parts, {nullptr, from, begin}, copyPortion);
       from = std::max(from, end);
     }
-    out.copy(file_, from, layout_.fileBytes, from + shift, progress);
+    append(parts, {nullptr, from, layout_.fileBytes}, copyPortion);
+    return parts;
   }
 
-  struct Rows {
-    std::int64_t first;
-    std::int64_t count;
-  };
-  void moveRows(RawFile& out, std::span<Moving> moving, const Rows& rows, std::uint64_t shift,
-                const Carrying& carrying) const {
+  static void append(std::vector<Part>& parts, const Part& whole, std::uint64_t most) {
+    for (std::uint64_t begin = whole.begin; begin < whole.end; begin += most) {
+      parts.push_back({whole.piece, begin, std::min(begin + most, whole.end)});
+    }
+  }
+
+  /// Returns the lengths of the rows of each array.
+  std::vector<StoredLengths> moveRows(RawFile& out, const Part& part, std::uint64_t shift,
+                                      const PlacedSpace& space) const {
     const bool isSwapped = layout_.isSwapped;
-    const Points rest = readRows(file_, *moving[0].array, rows.first, rows.count, isSwapped);
-    const auto store = [&](Moving& array, const Points& values) {
-      const StoredLengths lengths = writeRows(out, *array.array, rows.first, values, {shift, isSwapped});
-      array.lengths.least = std::min(array.lengths.least, lengths.least);
-      array.lengths.largest = std::max(array.lengths.largest, lengths.largest);
+    const std::vector<Moving>& moving = part.piece->arrays;
+    const auto first = static_cast<std::int64_t>(part.begin);
+    const auto count = static_cast<std::int64_t>(part.end - part.begin);
+    const Points rest = readRows(file_, *moving[0].array, first, count, isSwapped);
+    std::vector<StoredLengths> lengths;
+    const auto store = [&](const Moving& array, const Points& values) {
+      lengths.push_back(writeRows(out, *array.array, first, values, {shift, isSwapped}));
     };
     if (moving.size() == 1) {
-      store(moving[0], carrying.space.positions(rest));
-      carrying.progress.throwIfCancelled();
-      return;
+      store(moving[0], space.positions(rest));
+      return lengths;
     }
-    const SpaceImage image = carrying.space.image(rest);
+    const SpaceImage image = space.image(rest);
     store(moving[0], image.positions);
-    for (Moving& field : moving.subspan(1)) {
-      Points values = readRows(file_, *field.array, rows.first, rows.count, isSwapped);
+    for (const Moving& field : std::span(moving).subspan(1)) {
+      Points values = readRows(file_, *field.array, first, count, isSwapped);
       transportRows(values, image.gradients, field.kind);
       store(field, values);
     }
-    carrying.progress.throwIfCancelled();
+    return lengths;
   }
 
   std::vector<std::string> remarks(const std::vector<Transport>& transports) const {
@@ -241,8 +224,7 @@ class RawXmlDataset : public Dataset {
           std::any_of(transports.begin(), transports.end(),
                       [&](const Transport& transport) { return transport.array == piece.normals; });
       if (!piece.normals.empty() && !isTransported) {
-        return {format("The normals '{}' of {} were kept as they are; --transport {} turns them along.",
-                       piece.normals, path_.string(), piece.normals)};
+        return {keptNormalsRemark(path_, piece.normals)};
       }
     }
     return {};

@@ -1,3 +1,6 @@
+#ifdef PBFFD_APPLY
+#include "app/workbench/apply_service.h"
+#endif
 #include "app/workbench/options.h"
 #include "app/workbench/screenshot.h"
 #include "ui/window/main_window.h"
@@ -38,7 +41,11 @@ ui::MainWindow::Options windowOptions(const workbench::Options& options) {
   if (remembers && !options.hasTheme) {
     theme = static_cast<ui::Theme::Choice>(std::clamp(QSettings().value("theme", 0).toInt(), 0, 2));
   }
+#ifdef PBFFD_APPLY
+  return {theme, remembers, workbench::applyService()};
+#else
   return {theme, remembers};
+#endif
 }
 
 int run(QApplication& application, const workbench::Options& options) {

@@ -14,6 +14,7 @@ constexpr ActionRow rows[] = {
     {exportPicture, "File", 2, "Export picture...", "Ctrl+Shift+E", "", Needs::document},
     {runEdits, "File", 3, "Run edits from file...", "", "", Needs::document},
     {saveEdits, "File", 3, "Save steps as edits...", "", "", Needs::undo},
+    {applyToOther, "File", 3, "Apply to another mesh...", "", "", Needs::document},
     {closeDocument, "File", 4, "Close", "Ctrl+W", "", Needs::document},
     {quit, "File", 4, "Quit", "Ctrl+Q", ""},
 

@@ -24,6 +24,7 @@ enum class ActionId {
   exportPicture,
   runEdits,
   saveEdits,
+  applyToOther,
   closeDocument,
   quit,
 

@@ -5,6 +5,7 @@
 #include "ui/controllers/tool_manager.h"
 #include "ui/document/job_runner.h"
 #include "ui/views/viewport.h"
+#include "ui/window/apply_to_other.h"
 #include "ui/window/docks.h"
 #include "ui/window/document_files.h"
 #include "ui/window/error_bar.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(const Options& options)
   setContextMenuPolicy(Qt::NoContextMenu);
   chooseTheme(options.theme);
   files_ = new DocumentFiles({document_, view_, theme_, *recent_}, *actions_, *this);
+  new ApplyToOther(options.apply, document_, *actions_, *this);
   makeMenus(*this, {*actions_, *recent_, *files_});
   optionsBar_ = new OptionsBar(*actions_, document_, theme_);
   addToolBar(Qt::TopToolBarArea, optionsBar_);

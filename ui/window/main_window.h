@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/apply_service.h"
 #include "ui/document/document.h"
 #include "ui/document/theme.h"
 #include "ui/document/view_state.h"
@@ -35,6 +36,8 @@ class MainWindow : public QMainWindow {
     Theme::Choice theme = Theme::Choice::system;
     /// Whether the user's settings (recent files, layout, theme) are read and written.
     bool remembers = true;
+    /// What applies a project to other files.
+    ApplyService apply = {};
   };
   explicit MainWindow(const Options& options);
   ~MainWindow() override;

@@ -16,7 +16,8 @@ namespace pbffd::test {
 
 /// The real window, which keeps no settings, and a folder for its files.
 struct OpenWindow {
-  OpenWindow() : window(ui::MainWindow::Options{ui::Theme::Choice::dark, false}) {
+  explicit OpenWindow(const ui::MainWindow::Options& options = {ui::Theme::Choice::dark, false, {}})
+      : window(options) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     window.resize(1400, 900);
     isReady = showActive(window);

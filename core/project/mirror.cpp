@@ -1,5 +1,6 @@
 #include "core/project/mirror.h"
 
+#include "core/ffd/rest_centres.h"
 #include "core/mesh/nearest.h"
 
 namespace pbffd {
@@ -24,11 +25,7 @@ AffineMap reflection(Axis axis, const Vec3& through) {
 
 std::vector<Index> mirrorPartners(const Level& level, Axis axis, const Vec3& through) {
   const AffineMap mirror = reflection(axis, through);
-  Points centres(level.size(), 3);
-  for (Index i = 0; i < level.size(); ++i) {
-    centres.row(i) = level[i].rest.center;
-  }
-  const NearestPoints tree(centres);
+  const NearestPoints tree(restCentres(level));
   std::vector<Index> nearest(level.size());
   for (Index i = 0; i < level.size(); ++i) {
     nearest[i] = tree.nearest(applyMap(mirror, level[i].rest.center)).index;

@@ -1,6 +1,7 @@
 #include "core/ffd/levels/frames_follow.h"
 
 #include "core/base/parallel.h"
+#include "core/ffd/rest_centres.h"
 #include "core/mesh/nearest.h"
 
 #include <Eigen/LU>
@@ -67,14 +68,6 @@ class Follower {
   }
 
  private:
-  static Points restCentres(const Level& level) {
-    Points centres(level.size(), 3);
-    for (Index i = 0; i < level.size(); ++i) {
-      centres.row(i) = level[i].rest.center;
-    }
-    return centres;
-  }
-
   const Level& level_;
   const std::vector<Vec3>& displacements_;
   std::vector<Index> entryOf_;  ///< of a place of the level: its place among the moved, or -1

@@ -3,6 +3,7 @@
 #include "core/ffd/placement/region_shape.h"
 #include "core/ffd/refinement/fitted_poses.h"
 #include "core/ffd/refinement/refined_places.h"
+#include "core/ffd/rest_centres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,7 @@ constexpr double touchedAt = 0.8;
 std::vector<Frame> regionsFor(const std::vector<RefinedPlace>& places, const RefinementTask& task,
                               const PlacementOptions& options, const RestMesh& mesh) {
   Points centres(task.level.size() + static_cast<Index>(places.size()), 3);
-  for (Index i = 0; i < task.level.size(); ++i) {
-    centres.row(i) = task.level[i].rest.center;
-  }
+  centres.topRows(task.level.size()) = restCentres(task.level);
   for (std::size_t i = 0; i < places.size(); ++i) {
     centres.row(task.level.size() + static_cast<Index>(i)) = places[i].center;
   }

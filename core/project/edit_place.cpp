@@ -1,4 +1,3 @@
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/ffd/levels/hierarchy.h"
 #include "core/ffd/placement/placement.h"
@@ -13,14 +12,7 @@ namespace {
 
 void requireUsable(const Place& edit) {
   requireValid(edit.options);
-  const int greatest = greatestLevelCount(edit.options.points);
-  if (edit.options.levels > greatest) {
-    throw InvalidInput(
-        format("{} point{} allow{} at most {} level{}, each with half as many as the next; {} were "
-               "asked for",
-               edit.options.points, edit.options.points == 1 ? "" : "s", edit.options.points == 1 ? "s" : "",
-               greatest, greatest == 1 ? "" : "s", edit.options.levels));
-  }
+  requireLevelCount(edit.options.levels, edit.options.points);
 }
 
 PlacementResult place(const EditScope& scope, const Place& edit) {

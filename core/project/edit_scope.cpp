@@ -140,6 +140,20 @@ SelectedPlaces selectedPlaces(const ControlSet& set, const PointSelection& where
   return selected;
 }
 
+void requireLevelCount(int count, Index finestPoints) {
+  if (count < 1) {
+    throw InvalidInput(format("{} levels are too few; there is always at least one", count));
+  }
+  const int greatest = greatestLevelCount(finestPoints);
+  if (count > greatest) {
+    throw InvalidInput(format(
+        "{} point{} allow{} at most {} level{}, each with half as many as the next; {} were asked for. Ask "
+        "for fewer levels, or place more points first",
+        finestPoints, finestPoints == 1 ? "" : "s", finestPoints == 1 ? "s" : "", greatest,
+        greatest == 1 ? "" : "s", count));
+  }
+}
+
 void requireFinite(const Vec3& vector, const char* what) {
   if (!vector.allFinite()) {
     throw InvalidInput(format("{} is not finite", what));

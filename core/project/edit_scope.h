@@ -34,6 +34,8 @@ struct SelectedPlaces {
 };
 SelectedPlaces selectedPlaces(const ControlSet& set, const PointSelection& where);
 
+/// A number of levels, each with half as many points as the next, that so many of the finest allow.
+void requireLevelCount(int count, Index finestPoints);
 void requireFinite(const Vec3& vector, const char* what);
 void requireFinite(double number, const char* what);
 /// A rest frame: finite, axes with lengths, orthogonal to 1e-9.

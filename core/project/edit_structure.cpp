@@ -117,16 +117,7 @@ Project applied(const EditScope& scope, const Remove& edit) {
 Project applied(const EditScope& scope, const SetLevels& edit) {
   const Project& before = scope.before;
   const Level& finest = before.controls.finest();
-  const int greatest = greatestLevelCount(finest.size());
-  if (edit.count < 1) {
-    throw InvalidInput(format("{} levels are too few; there is always at least one", edit.count));
-  }
-  if (edit.count > greatest) {
-    throw InvalidInput(
-        format("{} points allow at most {} level{}, each with half as many as the next; {} were "
-               "asked for",
-               finest.size(), greatest, greatest == 1 ? "" : "s", edit.count));
-  }
+  requireLevelCount(edit.count, finest.size());
   Project after = before;
   ControlSet edited = before.controls;
   edited.levels = buildLevels(finest, edit.count, after.nextId, before.placement.regions);

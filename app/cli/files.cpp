@@ -1,5 +1,6 @@
 #include "app/cli/files.h"
 
+#include "app/cli/output.h"
 #include "core/mesh/io/mesh_io.h"
 
 namespace pbffd::cli {
@@ -10,7 +11,9 @@ LoadedProject openProject(const std::filesystem::path& path, const Progress& pro
         "Could not open {}: it is a mesh, not a project. Make a project of it first: pbffd place {} -o {}.",
         path.string(), path.string(), path.stem().string() + ".pbffd"));
   }
-  return loadProject(path, progress);
+  LoadedProject loaded = loadProject(path, progress);
+  printRemarks(loaded.remarks);
+  return loaded;
 }
 
 void requireProjectName(const std::filesystem::path& output, const std::filesystem::path& input) {

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/output.h"
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
@@ -131,7 +132,7 @@ std::string projectText(const Json& project) {
 
 void info(const InfoOptions& options, const Progress& progress) {
   const Json description = isProject(options.file)
-                               ? describeProject(loadProject(options.file, progress).project)
+                               ? describeProject(openProject(options.file, progress).project)
                                : describeMesh(RestMesh(readMesh(options.file, progress)));
   if (options.asJson) {
     print(description.dump() + "\n");

@@ -5,10 +5,14 @@
 #include "core/ffd/frame_checks.h"
 #include "core/project/edit_scope.h"
 
+#include <unordered_map>
 #include <unordered_set>
 
 namespace pbffd {
 namespace {
+
+/// What messages about several levels begin with.
+constexpr std::string_view misfit = "the levels do not fit together:";
 
 std::string_view wordOf(PointKind kind) {
   switch (kind) {
@@ -119,11 +123,14 @@ ControlPoint pointFrom(const JsonReader& reader, bool isBound) {
   read("merged_from", point.mergedFrom, membersFrom);
   point.rest = checkedFrame(reader.at("rest"), requireRest);
   point.pose = checkedFrame(reader.at("pose"), requirePose);
+  const bool hasBinding = reader.has("binding") && !reader.at("binding").value().is_null();
+  if (isBound && !hasBinding) {
+    reader.fail(format("{} point {} has no \"binding\" to the next coarser level", misfit, point.id));
+  }
+  if (!isBound && hasBinding) {
+    reader.fail(format("{} point {} has a \"binding\", but there is no coarser level", misfit, point.id));
+  }
   if (isBound) {
-    if (!reader.has("binding")) {
-      reader.fail(format(
-          "the levels do not fit together: point {} has no \"binding\" to the next coarser level", point.id));
-    }
     point.binding = bindingFrom(reader.at("binding"));
   }
   return point;
@@ -162,22 +169,36 @@ void requireUniqueIds(const std::vector<Level>& levels, const JsonReader& reader
   }
 }
 
+/// What the points of a level stand for are points of the next finer one, each of one alone.
+void requireMembers(const Level& level, const Level& finer, const JsonReader& points) {
+  std::unordered_map<PointId, PointId> parentOf;
+  for (const ControlPoint& point : finer) {
+    parentOf.emplace(point.id, 0);
+  }
+  for (Index i = 0; i < level.size(); ++i) {
+    const auto fail = [&](const std::string& why) {
+      points.element(i).at("merged_from").fail(format("{} {}", misfit, why));
+    };
+    for (const PointId member : level[i].mergedFrom) {
+      const auto parent = parentOf.find(member);
+      if (parent == parentOf.end()) {
+        fail(format("point {} is not on the next finer level", member));
+      }
+      if (parent->second != 0) {
+        fail(format("point {} is already in that of point {}", member, parent->second));
+      }
+      parent->second = level[i].id;
+    }
+  }
+}
+
 void requireFit(const std::vector<Level>& levels, const JsonReader& reader) {
+  const Level none;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     if (levels[l].empty() && levels.size() > 1) {
-      reader.element(l).fail(format("the levels do not fit together: level {} has no points", l + 1));
+      reader.element(l).fail(format("{} level {} has no points", misfit, l + 1));
     }
-    for (Index i = 0; i < levels[l].size(); ++i) {
-      for (const PointId member : levels[l][i].mergedFrom) {
-        if (l + 1 == levels.size() || !levels[l + 1].find(member)) {
-          reader.element(l)
-              .at("points")
-              .element(i)
-              .at("merged_from")
-              .fail(format("the levels do not fit together: point {} is not on the next finer level", member));
-        }
-      }
-    }
+    requireMembers(levels[l], l + 1 < levels.size() ? levels[l + 1] : none, reader.element(l).at("points"));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "core/project/edit_survivors.h"
 
 #include "core/base/text.h"
+#include "core/ffd/rest_centres.h"
 #include "core/project/shape.h"
 
 #include <algorithm>
@@ -18,11 +19,7 @@ void poseByDeformation(const EditScope& scope, const ControlSet& former, Control
   }
   for (std::size_t l = 0; l < levelCount; ++l) {
     Level& level = made.levels[l];
-    Points places(level.size(), 3);
-    for (Index i = 0; i < level.size(); ++i) {
-      places.row(i) = level[i].rest.center;
-    }
-    const std::vector<AffineMap> maps = blendedMapsAt(scope, former, places);
+    const std::vector<AffineMap> maps = blendedMapsAt(scope, former, restCentres(level));
     for (Index i = 0; i < level.size(); ++i) {
       ControlPoint point = level[i];
       point.pose = moved(point.rest, maps[i]);
@@ -45,7 +42,10 @@ void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, Contr
         ++homeless;
         continue;
       }
-      made.levels[std::max(0, madeCount - 1 - fromFinest)].append(level, i);
+      // The points built anew stand for all finer ones.
+      ControlPoint survivor = level[i];
+      survivor.mergedFrom.clear();
+      made.levels[std::max(0, madeCount - 1 - fromFinest)].append(std::move(survivor));
     }
   }
   if (homeless > 0) {

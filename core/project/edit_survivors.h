@@ -15,7 +15,7 @@ void poseByDeformation(const EditScope& scope, const ControlSet& former, Control
                        std::size_t levelCount);
 
 /// Puts the survivors of the coarser levels of `former` into the levels of `made` as far from the finest, or
-/// the coarsest there is. Where `made` has a single level they have no place; a remark says so.
+/// the coarsest there is; there they stand for no finer point any more. Where `made` has a single level they have no place; a remark says so.
 void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made);
 
 }  // namespace pbffd

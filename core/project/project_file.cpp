@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/ffd/levels/binding.h"
 #include "core/mesh/io/mesh_io.h"
 #include "core/project/archive.h"
 #include "core/project/json_text.h"
@@ -69,6 +70,22 @@ std::shared_ptr<const RestMesh> readMeshMember(const std::filesystem::path& path
   }
 }
 
+/// Bindings depend on the mesh, so that they can be looked at only when it has been read. Poses are what is
+/// seen and exported: where the two differ they stay.
+void mendLevels(const std::filesystem::path& path, LoadedProject& loaded, const Progress& progress) {
+  try {
+    const Index mended = mendBindings(*loaded.project.mesh, loaded.project.controls, progress);
+    if (mended > 0) {
+      loaded.remarks.push_back(format(
+          "The levels did not fit together: {} point{} not where the binding to the next coarser level puts "
+          "{}. The poses were kept.",
+          mended, mended == 1 ? " was" : "s were", mended == 1 ? "it" : "them"));
+    }
+  } catch (const InvalidInput& error) {
+    failToOpen(path, format("the levels do not fit together: {}", error.what()));
+  }
+}
+
 /// A name that ZIP and JSON both can hold, without a folder.
 std::string plainName(std::string name) {
   name = name.substr(name.find_last_of("/\\") + 1);
@@ -128,6 +145,7 @@ LoadedProject loadProject(const std::filesystem::path& path, const Progress& pro
   foreign.members = std::move(archive.members);
   document.project.foreign = std::make_shared<const ForeignContent>(std::move(foreign));
   loaded.project = std::move(document.project);
+  mendLevels(path, loaded, progress);
   return loaded;
 }
 

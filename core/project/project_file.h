@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace pbffd {
 
@@ -17,6 +18,7 @@ struct ProjectExtras {
 struct LoadedProject {
   Project project;
   ProjectExtras extras;
+  std::vector<std::string> remarks;  ///< sentences that the user should read
 };
 
 /// What a project file held that this version keeps for the next save, and does not use.

@@ -64,6 +64,7 @@ QString openedMessage(const QString& name, const RestMesh& mesh) {
 struct Document::Opened {
   Project project;
   ProjectExtras extras;
+  std::vector<std::string> remarks;
   QString path;
   bool isProject = false;
   std::shared_ptr<EditWorkspace> workspace = std::make_shared<EditWorkspace>();
@@ -87,6 +88,7 @@ Document::Opened Document::read(const QString& path, const Progress& progress) {
     LoadedProject loaded = loadProject(pathOf(path), progress);
     file.project = std::move(loaded.project);
     file.extras = std::move(loaded.extras);
+    file.remarks = std::move(loaded.remarks);
   } else {
     file.project = projectOf(std::make_shared<const RestMesh>(readMesh(pathOf(path), progress)));
     refuseUnplaceable(*file.project.mesh, path);
@@ -131,6 +133,9 @@ void Document::adopt(Opened& file) {
   Q_EMIT informed(openedMessage(QFileInfo(file.path).fileName(), *committed_.mesh));
   for (const std::string& remark : committed_.mesh->mesh().remarks) {
     Q_EMIT informed(QString::fromStdString(remark));
+  }
+  for (const std::string& remark : file.remarks) {
+    Q_EMIT remarked(QString::fromStdString(remark));
   }
 }
 

@@ -1,10 +1,9 @@
 #include "core/ffd/levels/hierarchy.h"
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
-#include "core/ffd/frame_checks.h"
+#include "core/ffd/levels/binding.h"
 #include "core/ffd/placement/decimation.h"
+#include "core/ffd/rest_centres.h"
 
 #include <algorithm>
 #include <numeric>
@@ -36,14 +35,6 @@ std::vector<std::vector<Merge>> mergesByOutcome(const std::vector<Merge>& merges
     byOutcome[outcome[merge.kept]].push_back(merge);
   }
   return byOutcome;
-}
-
-Points restCentres(const Level& level) {
-  Points centres(level.size(), 3);
-  for (Index i = 0; i < level.size(); ++i) {
-    centres.row(i) = level[i].rest.center;
-  }
-  return centres;
 }
 
 ControlPoint mergedPoint(PointId id, Group group) {
@@ -131,12 +122,7 @@ std::vector<Level> buildLevels(const Level& finest, int levelCount, PointId& nex
 std::vector<PointWeights> levelBindings(const RestMesh& mesh, const ControlSet& set, const Progress& progress) {
   std::vector<PointWeights> bindings;
   for (std::size_t l = 1; l < set.levels.size(); ++l) {
-    const Level& finer = set.levels[l];
-    Points at(finer.size(), 3);
-    for (Index i = 0; i < finer.size(); ++i) {
-      at.row(i) = finer[i].binding.at;
-    }
-    bindings.push_back(weightsAt(at, mesh, set.basis, set.master, set.levels[l - 1], progress));
+    bindings.push_back(bindingWeights(mesh, set, static_cast<Index>(l), progress));
   }
   return bindings;
 }
@@ -152,7 +138,7 @@ void carryDown(const ControlSet& before, ControlSet& set, Index level,
     for (Index i = 0; i < finer.size(); ++i) {
       if (hangsOnChanged(weights, i, changed, masterChanged)) {
         ControlPoint point = finer[i];
-        point.pose = moved(point.rest, composed(blendedMap(weights, i, maps), point.binding.local));
+        point.pose = boundPose(point, blendedMap(weights, i, maps));
         finer.replace(i, std::move(point));
       }
     }
@@ -169,16 +155,10 @@ void rebind(ControlSet& set, Index level, const std::vector<PointWeights>& bindi
   for (Index i = 0; i < finer.size(); ++i) {
     const ControlPoint& point = finer[i];
     const AffineMap blend = blendedMap(weights, i, maps);
-    Binding binding{point.rest.center, point.binding.local};
     // A binding that gives the pose to the last bit stays, so that nothing drifts.
-    if (!(moved(point.rest, composed(blend, binding.local)) == point.pose)) {
-      if (!isInvertible(blend.leftCols<3>())) {
-        throw InvalidInput(format(
-            "point {} cannot hang on level {}, which is flattened there; turn or stretch that level less",
-            point.id, level));
-      }
-      binding.local = composed(inverted(blend), point.map());
-    }
+    const Binding binding = boundPose(point, blend) == point.pose
+                                ? Binding{point.rest.center, point.binding.local}
+                                : bindingTo(point, blend, level - 1);
     if (!(binding == point.binding)) {
       ControlPoint bound = point;
       bound.binding = binding;

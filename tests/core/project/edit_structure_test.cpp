@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <cstring>
+#include <set>
 
 namespace pbffd {
 
@@ -191,6 +192,7 @@ class EditStructureTest : public QObject {
     QVERIFY(one.controls.finest()[0].binding == Binding{});
     QVERIFY(contains(refusal(project, SetLevels{7}), "40 points allow at most 6 levels"));
     QVERIFY(contains(refusal(project, SetLevels{0}), "too few"));
+    QVERIFY(contains(refusal(projectWith(1, 1), SetLevels{2}), "1 point allows at most 1 level, each"));
   }
 
   void handMadeCoarsePointsSurviveARebuild() {
@@ -205,6 +207,23 @@ class EditStructureTest : public QObject {
     const EditResult one = apply(project, SetLevels{1}, workspace);
     QCOMPARE(one.remarks.size(), std::size_t{1});
     QVERIFY(!one.project.controls.finest().find(700));
+  }
+
+  void aRebuildGivesEachPointOneParent() {
+    Project project = projectWith();
+    const PointId locked = project.controls.levels[1][0].id;
+    project = after(project, Lock{{2, {locked}}, true});
+    for (const int count : {2, 3, 4}) {
+      const Project rebuilt = after(project, SetLevels{count});
+      QVERIFY(pointOf(rebuilt, locked).mergedFrom.empty());
+      for (std::size_t l = 0; l + 1 < rebuilt.controls.levels.size(); ++l) {
+        std::multiset<PointId> members;
+        for (const ControlPoint& point : rebuilt.controls.levels[l]) {
+          members.insert(point.mergedFrom.begin(), point.mergedFrom.end());
+        }
+        QCOMPARE(members.size(), std::set<PointId>(members.begin(), members.end()).size());
+      }
+    }
   }
 
   void changesAreNamedByWhatDiffers() {

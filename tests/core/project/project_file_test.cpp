@@ -166,8 +166,12 @@ class ProjectFileTest : public QObject {
     row("/levels/2/points/3/binding/local", "[[0,0,0,0],[0,1,0,0],[0,0,1,0]]", "singular");
     row("/levels/2/points/3/kind", "\"odd\"", "\"odd\" is none of");
     row("/levels/2/points/3/binding/local", "[[1,0,0,0],[0,1,0,0]]", "three rows of four");
-    row("/levels/2/points/3/binding", "null", "an object is expected");
+    row("/levels/2/points/3/binding", "5", "an object is expected");
+    row("/levels/2/points/3/binding", "null", "has no \"binding\" to the next coarser level");
+    row("/levels/0/points/3/binding", "{}", "but there is no coarser level");
     row("/levels/1/points/3/merged_from", "[9999]", "point 9999 is not on the next finer level");
+    row("/levels/1/points/3/merged_from", "[1, 1]", "point 1 is already in that of point");
+    row("/levels/1/points/3/merged_from", "\"1\"", "a list is expected");
     row("/levels/2/points/3/merged_from", "[1]", "do not fit together");
     row("/master/value", "-1", "0 or more");
     row("/master/mode", "\"x\"", "none of");
@@ -189,6 +193,90 @@ class ProjectFileTest : public QObject {
     const std::string said = refusal();
     QVERIFY2(contains(said, message.toStdString()), said.c_str());
     QVERIFY2(contains(said, path().string()), said.c_str());
+  }
+
+  void pointsOfTwoParentsAreRefused() {
+    change([](Archive&, Json& json) {
+      const Json member = json["levels"][1]["points"][0]["merged_from"][0];
+      json["levels"][1]["points"][1]["merged_from"].push_back(member);
+    });
+    QVERIFY(contains(refusal(), "/levels/1/points/1/merged_from: the levels do not fit together: point "));
+    QVERIFY(contains(refusal(), "is already in that of point"));
+  }
+
+  void levelsThatCameOrWentAreRefused_data() {
+    QTest::addColumn<int>("gone");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("no coarsest") << 0 << "point 41 has a \"binding\", but there is no coarser level";
+    QTest::newRow("no second") << 1 << "point 41 is not on the next finer level";
+    QTest::newRow("no finest") << 2 << "point 1 is not on the next finer level";
+    QTest::newRow("one twice") << -1 << "is used twice";
+  }
+  void levelsThatCameOrWentAreRefused() {
+    QFETCH(int, gone);
+    QFETCH(QString, message);
+    change([&](Archive&, Json& json) {
+      Json& levels = json["levels"];
+      if (gone < 0) {
+        levels.push_back(levels.back());
+      } else {
+        levels.erase(static_cast<std::size_t>(gone));
+      }
+    });
+    const std::string said = refusal();
+    QVERIFY2(contains(said, message.toStdString()), said.c_str());
+  }
+
+  void bindingsThatContradictThePosesGiveWay_data() {
+    QTest::addColumn<QString>("pointer");
+    QTest::addColumn<QString>("value");
+    QTest::newRow("local") << "/levels/2/points/3/binding/local"
+                           << "[[1,0,0,9],[0,1,0,0],[0,0,1,0]]";
+    QTest::newRow("at") << "/levels/1/points/3/binding/at"
+                        << "[7,8,9]";
+    QTest::newRow("pose") << "/levels/2/points/3/pose/center"
+                          << "[0.5,0.5,0.5]";
+  }
+  void bindingsThatContradictThePosesGiveWay() {
+    QFETCH(QString, pointer);
+    QFETCH(QString, value);
+    change([&](Archive&, Json& json) {
+      json[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
+    });
+    const LoadedProject loaded = loadProject(path());
+    QCOMPARE(loaded.remarks.size(), std::size_t{1});
+    QVERIFY(contains(loaded.remarks[0], "The levels did not fit together: 1 point was not where"));
+    QVERIFY(test::levelError(loaded.project) < 1e-12);
+    if (pointer.contains("pose")) {
+      QVERIFY(loaded.project.controls.finest()[3].pose.center == Vec3(0.5, 0.5, 0.5));
+    } else {
+      QVERIFY(loaded.project.controls.finest()[3].pose == edited().controls.finest()[3].pose);
+    }
+    // What is saved then fits.
+    saveProject(path(), loaded.project);
+    QVERIFY(loadProject(path()).remarks.empty());
+    QVERIFY(loadProject(path()).project.controls == loaded.project.controls);
+  }
+
+  void levelsThatCannotFitAreRefused() {
+    // A coarse level flattened to almost nothing across no axis, under points that stand upright.
+    const auto flatten = [](Json& frame) {
+      for (Json& axis : frame["axes"]) {
+        const double mean = (axis[0].get<double>() + axis[1].get<double>() + axis[2].get<double>()) / 3.0;
+        for (Json& number : axis) {
+          number = number.get<double>() - (1.0 - 1e-11) * mean;
+        }
+      }
+    };
+    change([&](Archive&, Json& json) {
+      for (Json& point : json["levels"][0]["points"]) {
+        flatten(point["pose"]);
+      }
+      flatten(json["master"]["pose"]);
+    });
+    const std::string said = refusal();
+    QVERIFY2(contains(said, "the levels do not fit together"), said.c_str());
+    QVERIFY2(contains(said, "flattened"), said.c_str());
   }
 
   void missingKeysAreNamed_data() {
@@ -224,7 +312,9 @@ class ProjectFileTest : public QObject {
     changeText("\"next_id\":", "\"next_id\":7,\"next_id\":");
     QVERIFY(contains(refusal(), "\"next_id\" twice"));
     changeText("\"next_id\":", "\"big\":NaN,\"next_id\":");
-    QVERIFY(contains(refusal(), "is not valid JSON"));
+    QVERIFY(contains(refusal(), "is not valid JSON: a number must be finite"));
+    changeText("\"local\":[[", "\"local\":[[NaN,");
+    QVERIFY(contains(refusal(), "a number must be finite"));
   }
 
   void cutOffFilesAreRefused() {

@@ -61,6 +61,7 @@ std::optional<GestureSubject> selectedSubject(const Document& document, const Tr
   if (active == nullptr) {
     return std::nullopt;
   }
+  subject.isWholeLevel = static_cast<Index>(subject.points.size()) == levels[place].size();
   subject.pivot = options.pivot() == PivotChoice::active ? active->pose.center : medianOf(centers);
   subject.eachItsOwn = options.pivot() == PivotChoice::each;
   subject.localAxes = directionsOf(active->pose.axes);

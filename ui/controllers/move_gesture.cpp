@@ -77,6 +77,7 @@ Edit MoveGesture::edit() const {
   Move move;
   move.where = {subject().level, subject().points};
   move.by = {shift_};
+  move.spread.master = subject().isWholeLevel;
   return move;
 }
 

@@ -85,6 +85,7 @@ void RotateGesture::follow(const Projection& projection) {
 Edit RotateGesture::edit() const {
   Transform transform;
   transform.where = {subject().level, subject().points};
+  transform.spread.master = subject().isWholeLevel && !subject().eachItsOwn;
   transform.pivot = subject().pivot;
   transform.eachItsOwn = subject().eachItsOwn;
   if (transform.eachItsOwn) {

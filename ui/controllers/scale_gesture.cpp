@@ -47,6 +47,7 @@ void ScaleGesture::follow(const Projection& projection) {
 Edit ScaleGesture::edit() const {
   Transform transform;
   transform.where = {subject().level, subject().points};
+  transform.spread.master = subject().isWholeLevel && !subject().eachItsOwn;
   transform.eachItsOwn = subject().eachItsOwn;
   if (!transform.eachItsOwn) {
     transform.pivot = subject().pivot;

@@ -22,8 +22,9 @@ struct GestureSubject {
   Vec3 pivot = Vec3::Zero();
   Mat3 gizmoAxes = Mat3::Identity();  ///< columns: unit directions
   Mat3 localAxes = Mat3::Identity();
-  bool eachItsOwn = false;  ///< every point turns and scales about its own centre
-  double size = 1.0;        ///< of the mesh: its diagonal
+  bool isWholeLevel = false;  ///< all points of the level: the master goes along, and with it the whole shape
+  bool eachItsOwn = false;    ///< every point turns and scales about its own centre
+  double size = 1.0;          ///< of the mesh: its diagonal
 };
 
 /// Where the cursor is and what is held.

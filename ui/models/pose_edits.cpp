@@ -48,6 +48,7 @@ std::optional<Edit> moveEdit(const PointsOfLevel& selection, int axis, const std
   } else {
     const double middle = shared(values).middle;
     move.by.push_back((input.appliedTo(middle) - middle) * Vec3::Unit(axis));
+    move.spread.master = selection.isWhole;
   }
   return move;
 }

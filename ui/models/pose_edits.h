@@ -14,6 +14,7 @@ namespace pbffd::ui {
 struct PointsOfLevel {
   int level = 1;
   std::vector<const ControlPoint*> points;
+  bool isWhole = false;  ///< all of the level, none locked: what moves them alike moves the master along
 };
 
 /// A value that several points may share.

@@ -14,6 +14,24 @@
 #include <algorithm>
 
 namespace pbffd::ui {
+namespace {
+
+/// What there is to say of one point.
+QStringList describe(const ControlPoint& point, int level) {
+  QStringList words;
+  if (!point.name.empty()) {
+    words += QObject::tr("number %1").arg(point.id);
+  }
+  if (point.locked) {
+    words += QObject::tr("locked");
+  }
+  if (!point.mergedFrom.empty()) {
+    words += QObject::tr("stands for %1 of level %2").arg(point.mergedFrom.size()).arg(level + 1);
+  }
+  return words;
+}
+
+}  // namespace
 
 PointPage::PointPage(Document& document, const Theme& theme, QWidget* parent)
     : QWidget(parent),
@@ -52,15 +70,15 @@ void PointPage::showHeader(const PointsOfLevel& points) {
                                     [&](const ControlPoint* point) { return point->kind == active.kind; });
   const auto count = static_cast<qint64>(points.points.size());
   const QString title = count == 1 ? pointLabel(active) : tr("%1 control points").arg(counted(count));
-  QString detail =
-      (sameKind ? kindTitle(active.kind) : tr("Several kinds")) + tr(", level %1").arg(points.level);
-  if (count == 1 && !active.name.empty()) {
-    detail += tr(", number %1").arg(active.id);
+  QStringList detail{sameKind ? kindTitle(active.kind) : tr("Several kinds"), tr("level %1").arg(points.level)};
+  if (points.isWhole) {
+    detail += tr("all of it: the whole shape goes along");
   }
-  if (count == 1 && active.locked) {
-    detail += tr(", locked");
+  if (count == 1) {
+    detail += describe(active, points.level);
   }
-  header_->show({sameKind ? kindIcon(active.kind) : "controls", "select", "select.bg", title, detail});
+  header_->show(
+      {sameKind ? kindIcon(active.kind) : "controls", "select", "select.bg", title, detail.join(", ")});
 }
 
 }  // namespace pbffd::ui

@@ -10,7 +10,8 @@ namespace pbffd::ui {
 namespace {
 
 PointsOfLevel selectionIn(const Document& document, const Project& project) {
-  PointsOfLevel result{document.selection().level(), {}};
+  PointsOfLevel result;
+  result.level = document.selection().level();
   const auto place = static_cast<std::size_t>(document.editLevel());
   if (!document.isOpen() || place >= project.controls.levels.size()) {
     return result;
@@ -24,6 +25,8 @@ PointsOfLevel selectionIn(const Document& document, const Project& project) {
       result.points.push_back(found->second);
     }
   }
+  result.isWhole = static_cast<Index>(result.points.size()) == project.controls.levels[place].size() &&
+                   std::ranges::none_of(result.points, [](const ControlPoint* point) { return point->locked; });
   return result;
 }
 

@@ -36,7 +36,29 @@ class TransformGestureTest : public QObject {
     }
   }
 
+  /// Whether the master goes along with an edit.
+  static bool movesMaster(const Edit& edit) {
+    if (const auto* move = std::get_if<Move>(&edit.value())) {
+      return move->spread.master;
+    }
+    return std::get<Transform>(edit.value()).spread.master;
+  }
+
  private Q_SLOTS:
+  void theMasterGoesAlongWithAWholeLevel() {
+    for (const bool isWhole : {false, true}) {
+      GestureSubject whole = subject();
+      whole.isWholeLevel = isWhole;
+      QCOMPARE(movesMaster(MoveGesture(whole, {}, at(0, 0)).edit()), isWhole);
+      QCOMPARE(movesMaster(RotateGesture(whole, {}, at(0, 0), RotateGesture::Manner::ring).edit()), isWhole);
+      QCOMPARE(movesMaster(ScaleGesture(whole, {}, at(0, 0)).edit()), isWhole);
+      // Turned each about its own centre, the points are under no one map.
+      whole.eachItsOwn = true;
+      QVERIFY(!movesMaster(RotateGesture(whole, {}, at(0, 0), RotateGesture::Manner::ring).edit()));
+      QVERIFY(!movesMaster(ScaleGesture(whole, {}, at(0, 0)).edit()));
+    }
+  }
+
   void freeMoveStaysInTheViewPlane() {
     MoveGesture move(subject(), {}, at(0.2, 0.1));
     move.moveTo(front(), {at(1.2, -0.4)});

@@ -23,6 +23,7 @@ class PoseEditsTest : public QObject {
   void theTypedAngleIsReached();
   void regionsScaleAlongOneAxisOrAll();
   void differentValuesAreMixed();
+  void theMasterGoesAlongWithAWholeLevel();
 
  private:
   const Level& level(const Project& project) const { return project.controls.finest(); }
@@ -46,7 +47,7 @@ void PoseEditsTest::initTestCase() {
 }
 
 PointsOfLevel PoseEditsTest::all(const Project& project) const {
-  PointsOfLevel selection{1, {}};
+  PointsOfLevel selection;
   for (const ControlPoint& point : level(project)) {
     selection.points.push_back(&point);
   }
@@ -114,6 +115,19 @@ void PoseEditsTest::differentValuesAreMixed() {
   QVERIFY(shared({1.0, 1.1}).isMixed);
   QCOMPARE(shared({3.0, 1.0, 2.0}).middle, 2.0);
   QCOMPARE(shared({1.0, 2.0}).middle, 1.5);
+}
+
+void PoseEditsTest::theMasterGoesAlongWithAWholeLevel() {
+  PointsOfLevel selection = all(project_);
+  const auto movesMaster = [&](const NumberInput& input) {
+    return std::get<Move>(positionEdit(selection, 0, input)->value()).spread.master;
+  };
+  QVERIFY(!movesMaster({Kind::set, 5.0}));
+  selection.isWhole = true;
+  QVERIFY(movesMaster({Kind::set, 5.0}));
+  QVERIFY(movesMaster({Kind::add, 1.0}));
+  // Points that are multiplied one by one are not moved alike.
+  QVERIFY(!movesMaster({Kind::multiply, 2.0}));
 }
 
 const Registration<PoseEditsTest> registration;

@@ -10,6 +10,8 @@
 #include <QPainterPath>
 #include <QTreeView>
 
+#include <algorithm>
+
 namespace pbffd::ui {
 namespace {
 
@@ -72,10 +74,11 @@ void SceneDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 void SceneDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const {
   QRect rest = option.rect.adjusted(2, 0, -4, 0);
-  // A row without a count lends its room to the name.
-  const auto* view = qobject_cast<const QTreeView*>(option.widget);
-  if (view != nullptr && index.siblingAtColumn(SceneModel::countColumn).data().toString().isEmpty()) {
-    rest.setRight(rest.right() + view->columnWidth(SceneModel::countColumn));
+  // What a count does not need of its column is lent to the name.
+  if (const auto* view = qobject_cast<const QTreeView*>(option.widget)) {
+    const QString count = index.siblingAtColumn(SceneModel::countColumn).data().toString();
+    const int needed = count.isEmpty() ? 0 : option.fontMetrics.horizontalAdvance(count) + 10;
+    rest.setRight(rest.right() + std::max(0, view->columnWidth(SceneModel::countColumn) - needed));
   }
   if (const Symbol symbol = symbolOf(index); !symbol.icon.isEmpty()) {
     const bool isGlyph = symbol.icon.startsWith("kind-");

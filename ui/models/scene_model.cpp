@@ -268,18 +268,26 @@ Relation SceneModel::relationOf(const Place& place) const {
   }
 }
 
-QString SceneModel::detailOf(const Place& place) const {
+QString SceneModel::relativesBelow(const Place& place) const {
   const Relation relation = relationOf(place);
-  if (place.row == Row::group && relation != Relation::none) {
-    const int count = relatives_.count(place.level, place.kind);
-    return relation == Relation::parent ? (count == 1 ? tr("1 parent") : tr("%1 parents").arg(number(count)))
-                                        : (count == 1 ? tr("1 child") : tr("%1 children").arg(number(count)));
+  if (relation == Relation::none) {
+    return {};
+  }
+  const int count =
+      place.row == Row::level ? relatives_.count(place.level) : relatives_.count(place.level, place.kind);
+  return relation == Relation::parent ? (count == 1 ? tr("1 parent") : tr("%1 parents").arg(number(count)))
+                                      : (count == 1 ? tr("1 child") : tr("%1 children").arg(number(count)));
+}
+
+QString SceneModel::detailOf(const Place& place) const {
+  if (place.row != Row::point) {
+    return relativesBelow(place);
   }
   QStringList words;
-  if (place.row == Row::point && !pointAt(place).name.empty()) {
+  if (!pointAt(place).name.empty()) {
     words += QString::number(pointAt(place).id);
   }
-  if (place.row == Row::point && relation != Relation::none) {
+  if (const Relation relation = relationOf(place); relation != Relation::none) {
     words += relation == Relation::parent ? tr("parent") : tr("child");
   }
   return words.join(", ");

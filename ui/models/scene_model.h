@@ -65,6 +65,8 @@ class SceneModel : public QAbstractItemModel {
   QString nameOf(const Place& place) const;
   QString countOf(const Place& place) const;
   QString detailOf(const Place& place) const;
+  /// "2 parents", of a level or a group.
+  QString relativesBelow(const Place& place) const;
   Relation relationOf(const Place& place) const;
   QVariant checkOf(const Place& place, int column) const;
   bool setSwitch(const Place& place, int column, bool on);

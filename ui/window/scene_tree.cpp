@@ -85,6 +85,7 @@ SceneTree::SceneTree(SceneModel& model, Document& document, const Theme& theme, 
   connect(&model, &QAbstractItemModel::modelReset, this, &SceneTree::restoreExpansion);
   connect(&document, &Document::opened, this, [this] {
     isExpandedBefore_.clear();
+    opened_.clear();
     restoreExpansion();
   });
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &SceneTree::takeSelection);
@@ -124,19 +125,34 @@ void SceneTree::rememberExpansion() {
   }
 }
 
-/// What was open stays open; a branch that was not there before is open when it is the control set or the
-/// edit level. A filter opens everything that it leaves.
+/// What was open stays open; of branches that were not there before the control set is open, and the edit
+/// level. A filter opens everything that it leaves.
 void SceneTree::restoreExpansion() {
   const QString widest = model_.index(0, SceneModel::countColumn).data().toString();
   header()->resizeSection(SceneModel::countColumn,
                           std::max(leastCountWidth, fontMetrics().horizontalAdvance(widest) + 12));
   forEachBranch([&](const QModelIndex& index) {
     const auto found = isExpandedBefore_.find(keyOf(index));
-    const bool byDefault =
-        isRow(index, SceneModel::Row::controls) || index.data(SceneModel::isEditLevelRole).toBool();
-    setExpanded(index, model_.isFiltered() || (found == isExpandedBefore_.end() ? byDefault : found->second));
+    const bool isOpen =
+        found == isExpandedBefore_.end() ? isRow(index, SceneModel::Row::controls) : found->second;
+    setExpanded(index, model_.isFiltered() || isOpen);
   });
   showSelection();
+}
+
+/// Opens the edit level and the group of the active point, and closes again what was opened like this before:
+/// the rows of the levels, with what they say of the selection, stay near each other.
+void SceneTree::showBranchesOf(const QModelIndex& active) {
+  forEachBranch([&](const QModelIndex& branch) {
+    const bool isWanted =
+        branch.data(SceneModel::isEditLevelRole).toBool() || (active.isValid() && active.parent() == branch);
+    if (isWanted && !isExpanded(branch)) {
+      opened_.insert(keyOf(branch));
+      expand(branch);
+    } else if (!isWanted && opened_.erase(keyOf(branch)) > 0) {
+      collapse(branch);
+    }
+  });
 }
 
 void SceneTree::takeSelection() {
@@ -178,7 +194,10 @@ void SceneTree::showSelection() {
   selectionModel()->select(model_.rowsOf(selection.level(), selection.points()),
                            QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   const QModelIndex active = model_.pointIndex(selection.level(), selection.active());
-  if (active.isValid() && document_.isPreviewing() == false) {
+  if (!document_.isPreviewing() && !model_.isFiltered()) {
+    showBranchesOf(active);
+  }
+  if (active.isValid() && !document_.isPreviewing()) {
     selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
     scrollTo(active);
   }

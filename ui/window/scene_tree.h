@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace pbffd::ui {
@@ -41,6 +42,7 @@ class SceneTree : public QTreeView {
   static RowKey keyOf(const QModelIndex& index);
   void rememberExpansion();
   void restoreExpansion();
+  void showBranchesOf(const QModelIndex& active);
   void forEachBranch(const std::function<void(const QModelIndex&)>& visit) const;
   bool isMarkedAsRelated(const QModelIndex& index) const;
   void takeSelection();
@@ -50,6 +52,7 @@ class SceneTree : public QTreeView {
   Document& document_;
   const Theme& theme_;
   std::map<RowKey, bool> isExpandedBefore_;
+  std::set<RowKey> opened_;  ///< branches that were opened for the edit level or the selection alone
   bool isSynchronizing_ = false;
 };
 

@@ -192,6 +192,9 @@ void SceneModelTest::parentsAndChildrenOfTheSelectionAreMarked() {
   QCOMPARE(relation(model_->levelIndex(1)), ui::Relation::parent);
   const QModelIndex group = model_->index(0, 0, model_->levelIndex(1));
   QCOMPARE(group.data(SceneModel::detailRole).toString(), QString("1 parent"));
+  QCOMPARE(model_->levelIndex(1).data(SceneModel::detailRole).toString(), QString("1 parent"));
+  QVERIFY(model_->levelIndex(3).data(SceneModel::detailRole).toString().contains("child"));
+  QVERIFY(model_->levelIndex(2).data(SceneModel::detailRole).toString().isEmpty());
   document_->selection().clear();
   QCOMPARE(relation(model_->levelIndex(1)), ui::Relation::none);
 }

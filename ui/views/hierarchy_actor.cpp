@@ -9,7 +9,8 @@ namespace {
 
 constexpr float parentWidth = 2.0F;
 constexpr float childWidth = 1.0F;
-constexpr float knotWidth = 5.0F;
+constexpr float parentKnot = 6.0F;
+constexpr float childKnot = 4.0F;
 /// On either side of a line or a knot together.
 constexpr float haloWidth = 1.6F;
 constexpr float haloOpacity = 0.5F;
@@ -23,9 +24,9 @@ Stroke between(const Vec3& from, const Vec3& to) {
   return stroke;
 }
 
-Stroke knotAt(const Vec3& place) {
+Stroke knotAt(const Vec3& place, float width) {
   Stroke stroke = between(place, place);
-  stroke.widthFrom = stroke.widthTo = knotWidth;
+  stroke.widthFrom = stroke.widthTo = width;
   stroke.cap = Stroke::Cap::round;
   return stroke;
 }
@@ -66,10 +67,10 @@ std::vector<Stroke> HierarchyActor::strokes() const {
   for (const Link& link : links_) {
     lines.push_back(between(link.parent, link.child));
     if (!link.hasParentGlyph) {
-      knots.push_back(knotAt(link.parent));
+      knots.push_back(knotAt(link.parent, parentKnot));
     }
     if (!link.hasChildGlyph) {
-      knots.push_back(knotAt(link.child));
+      knots.push_back(knotAt(link.child, childKnot));
     }
   }
   lines.insert(lines.end(), knots.begin(), knots.end());

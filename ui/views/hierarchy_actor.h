@@ -8,8 +8,8 @@
 namespace pbffd::ui {
 
 /// Thin lines from merged control points to the points that they stand for, each thinner towards the finer
-/// one, with a small knot where no glyph of a point is drawn. What the surface hides is fainter, and the more
-/// lines there are, the fainter all of them, so that the shape stays in sight.
+/// one, with a small knot, larger for the coarser of two, where no glyph of a point is drawn. What the surface
+/// hides is fainter, and the more lines there are, the fainter all of them, so that the shape stays in sight.
 class HierarchyActor {
  public:
   explicit HierarchyActor(vtkRenderer& renderer);

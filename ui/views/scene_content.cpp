@@ -1,6 +1,5 @@
 #include "ui/views/scene_content.h"
 
-#include "ui/document/hierarchy_links.h"
 #include "ui/views/grid_actor.h"
 
 #include <algorithm>
@@ -227,15 +226,28 @@ void SceneContent::updateRegions(Scene& scene) {
   scene.regions().setRegions(std::move(frames));
 }
 
+/// Those that were asked for, and without asking those of a coarser point under the cursor.
+std::vector<HierarchyLink> SceneContent::shownLinks() const {
+  const ControlSet& set = document_.shown().controls;
+  const int level = document_.selection().level();
+  if (view_.hierarchy() == HierarchyDisplay::all) {
+    return hierarchyLinks(set);
+  }
+  std::vector<PointId> wanted;
+  if (view_.hierarchy() == HierarchyDisplay::selection) {
+    wanted = document_.selection().points();
+  }
+  if (hovered_ != 0 && level < static_cast<int>(set.levels.size())) {
+    wanted.push_back(hovered_);
+  }
+  return hierarchyLinks(set, level, wanted);
+}
+
 void SceneContent::updateHierarchy(Scene& scene) {
   std::vector<HierarchyActor::Link> drawn;
-  const ControlSet& set = document_.shown().controls;
-  if (document_.isOpen() && view_.hierarchy() != HierarchyDisplay::none) {
-    const Selection& selection = document_.selection();
-    const auto links = view_.hierarchy() == HierarchyDisplay::all
-                           ? hierarchyLinks(set)
-                           : hierarchyLinks(set, selection.level(), selection.points());
-    for (const HierarchyLink& link : links) {
+  if (document_.isOpen()) {
+    const ControlSet& set = document_.shown().controls;
+    for (const HierarchyLink& link : shownLinks()) {
       const ControlPoint& parent = set.levels[static_cast<std::size_t>(link.level)][link.parent];
       const ControlPoint& child = set.levels[static_cast<std::size_t>(link.level) + 1][link.child];
       if (view_.isPointShown(parent.id) && view_.isPointShown(child.id)) {

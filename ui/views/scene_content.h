@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/hierarchy_links.h"
 #include "ui/document/theme.h"
 #include "ui/document/view_state.h"
 #include "ui/views/picking.h"
@@ -53,6 +54,7 @@ class SceneContent {
   void updateRegions(Scene& scene);
   void updateHierarchy(Scene& scene);
   void updateGrid(Scene& scene);
+  std::vector<HierarchyLink> shownLinks() const;
   PointSprite spriteOf(const ControlPoint& point, int coarseness) const;
   PointSprite dotOf(const ControlPoint& point) const;
   const Level* editLevel() const;

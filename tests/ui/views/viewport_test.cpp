@@ -203,6 +203,25 @@ class ViewportTest : public QObject {
     QCOMPARE(test::differingPixels(still, open.frame()), 0);
   }
 
+  void aCoarsePointUnderTheCursorShowsWhatItStandsFor() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    QVERIFY(open.document.perform(SetLevels{2}));
+    open.view.setRegions(RegionDisplay::none);
+    open.document.selection().setLevel(1);
+    const ControlPoint& coarse = open.document.shown().controls.levels[0][0];
+    const Vec3 at = open.viewport.projected(coarse.pose.center);
+    // Half way to a point of the finer level, where neither has its glyph.
+    const ControlPoint& child = open.document.shown().controls.levels[1][0];
+    QVERIFY(coarse.mergedFrom.front() == child.id);
+    const Vec3 middle = 0.5 * (at + open.viewport.projected(child.pose.center));
+    const double ratio = open.viewport.devicePixelRatioF();
+    const QColor before = colorAt(open.frame(), {middle.x(), middle.y()}, ratio);
+    open.viewport.setHoveredPoint(coarse.id);
+    QVERIFY(colorAt(open.frame(), {middle.x(), middle.y()}, ratio) != before);
+    open.viewport.setHoveredPoint(0);
+    QCOMPARE(colorAt(open.frame(), {middle.x(), middle.y()}, ratio), before);
+  }
+
   void otherLevelsAreHiddenOrDots() {
     test::OpenView open(pbffd::test::cube(), cubePoints);
     QVERIFY(open.document.perform(SetLevels{2}));

@@ -1,3 +1,6 @@
+#include "core/project/archive.h"
+#include "core/project/project_file.h"
+#include "core/project/shape.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/window/open_window.h"
 #include "ui/document/hierarchy_links.h"
@@ -27,6 +30,10 @@ class LevelEditingTest : public QObject {
   void pointsAreAddedToTheEditLevel();
   void levelsAreAddedAndRemoved();
   void whatLevelsDoNotAllowIsSaidAndChangesNothing();
+  void projectsWhoseLevelsDoNotFitAreRefused();
+  void bindingsThatContradictThePosesAreMendedAndSaid();
+  void aWholeLevelTakesTheShapeAlong();
+  void theTreeFollowsTheEditLevel();
 
  private:
   std::unique_ptr<OpenWindow> open_;
@@ -35,6 +42,7 @@ class LevelEditingTest : public QObject {
   const std::vector<Level>& levels() { return document().shown().controls.levels; }
   void trigger(ActionId id) { open_->window.actions()[id]->trigger(); }
   bool isRefused(ActionId id, const QString& reason);
+  QString changedProject(const std::string& from, const std::string& to);
 };
 
 void LevelEditingTest::init() {
@@ -179,6 +187,80 @@ void LevelEditingTest::whatLevelsDoNotAllowIsSaidAndChangesNothing() {
   QVERIFY(isRefused(ActionId::removeCoarsestLevel, "at least one"));
   QVERIFY(document().perform(SetLevels{8}));
   QVERIFY(isRefused(ActionId::addCoarserLevel, "allow at most 8 levels"));
+}
+
+/// Saves the project with the first of these texts in its document replaced; returns the path.
+QString LevelEditingTest::changedProject(const std::string& from, const std::string& to) {
+  const QString path = open_->folder.filePath("changed.pbffd");
+  saveProject(path.toStdString(), document().committed());
+  Archive archive = readArchive(path.toStdString());
+  std::string& text = archive.members[0].bytes;
+  text.replace(text.find(from), from.size(), to);
+  writeFileAtomically(path.toStdString(), encodeArchive(archive));
+  return path;
+}
+
+void LevelEditingTest::projectsWhoseLevelsDoNotFitAreRefused() {
+  const ControlSet before = document().shown().controls;
+  const int entries = document().history().count();
+  ui::ErrorBar& bar = open_->window.errorBar();
+  bar.hide();
+  QVERIFY(open_->open(changedProject("\"binding\"", "\"bending\"")));
+  QVERIFY(bar.isVisible());
+  QCOMPARE(bar.severity(), ui::Severity::error);
+  QVERIFY2(bar.text().contains("the levels do not fit together"), qPrintable(bar.text()));
+  QVERIFY2(bar.text().contains("changed.pbffd"), qPrintable(bar.text()));
+  QVERIFY(document().shown().controls == before);
+  QCOMPARE(document().history().count(), entries);
+}
+
+void LevelEditingTest::bindingsThatContradictThePosesAreMendedAndSaid() {
+  const ControlSet before = document().shown().controls;
+  ui::ErrorBar& bar = open_->window.errorBar();
+  bar.hide();
+  QVERIFY(open_->open(changedProject("\"local\":[[1.0,0.0,0.0,0.0]", "\"local\":[[1.0,0.0,0.0,5.0]")));
+  QVERIFY(bar.isVisible());
+  QVERIFY2(bar.text().contains("The levels did not fit together: 1 point"), qPrintable(bar.text()));
+  QVERIFY(document().shown().controls == before);
+}
+
+void LevelEditingTest::aWholeLevelTakesTheShapeAlong() {
+  const auto positions = [&] {
+    EditWorkspace workspace;
+    return deformedShape(document().shown(), workspace.weights).positions;
+  };
+  const Points before = positions();
+  for (const Qt::Key level : {Qt::Key_1, Qt::Key_2, Qt::Key_3}) {
+    surface().setFocus();
+    QTest::keyClick(&surface(), level);
+    trigger(ActionId::selectAll);
+    QTest::keyClicks(&surface(), "gx0.5");
+    QTest::keyClick(&surface(), Qt::Key_Return);
+    const Points moved = positions();
+    QVERIFY((moved.rowwise() - Eigen::RowVector3d(0.5, 0, 0) - before).cwiseAbs().maxCoeff() < 1e-12);
+    trigger(ActionId::undo);
+  }
+}
+
+void LevelEditingTest::theTreeFollowsTheEditLevel() {
+  ui::SceneTree& tree = open_->window.docks().scene().tree();
+  const auto& model = *static_cast<ui::SceneModel*>(tree.model());
+  QVERIFY(tree.isExpanded(model.levelIndex(3)));
+  surface().setFocus();
+  QTest::keyClick(&surface(), Qt::Key_1);
+  QVERIFY(tree.isExpanded(model.levelIndex(1)));
+  QVERIFY(!tree.isExpanded(model.levelIndex(3)));
+  const QModelIndex merged = model.index(0, 0, model.levelIndex(1));
+  QVERIFY(!tree.isExpanded(merged));
+  document().selection().replace({levels()[0][3].id});
+  QVERIFY(tree.isExpanded(merged));
+  // What the user opened stays open.
+  tree.expand(model.levelIndex(2));
+  QTest::keyClick(&surface(), Qt::Key_3);
+  QVERIFY(!tree.isExpanded(model.levelIndex(1)));
+  QVERIFY(!tree.isExpanded(model.index(0, 0, model.levelIndex(1))));
+  QVERIFY(tree.isExpanded(model.levelIndex(2)));
+  QVERIFY(tree.isExpanded(model.levelIndex(3)));
 }
 
 const Registration<LevelEditingTest> registration;

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/ffd/deform/deformation.h"
+#include "core/mesh/spread.h"
 #include "core/mesh/voronoi.h"
 
 #include <Eigen/SparseCore>

@@ -3,11 +3,10 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/mesh/qhull_delaunay.h"
+#include "core/mesh/spread.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -114,41 +113,6 @@ VoronoiVertices vertexOfEachCell(const Prepared& prepared, const DelaunayCells& 
 }
 
 }  // namespace
-
-Vec3 spreadOf(const Points& points) {
-  if (points.rows() == 0) {
-    return Vec3::Zero();
-  }
-  const Vec3 low = points.colwise().minCoeff();
-  const Vec3 high = points.colwise().maxCoeff();
-  const double size = (high - low).maxCoeff();
-  if (!(size > 0.0)) {
-    return Vec3::Zero();
-  }
-  // Householder QR keeps what squaring in a covariance matrix would lose below 1e-8.
-  Points centred = (points.rowwise() - (low + 0.5 * (high - low)).transpose()) / size;
-  centred.rowwise() -= centred.colwise().mean().eval();
-  Mat3 triangle = Mat3::Zero();
-  constexpr Eigen::Index chunk = 4096;
-  for (Eigen::Index begin = 0; begin < centred.rows(); begin += chunk) {
-    const Eigen::Index rows = std::min(chunk, centred.rows() - begin);
-    Eigen::MatrixX3d stacked(rows + 3, 3);
-    stacked << triangle, centred.middleRows(begin, rows);
-    const Eigen::HouseholderQR<Eigen::MatrixX3d> qr(stacked);
-    triangle = qr.matrixQR().topRows(3).triangularView<Eigen::Upper>();
-  }
-  const Vec3 values = Eigen::JacobiSVD<Mat3>(triangle).singularValues();
-  return values.reverse() / values[0];
-}
-
-bool areCoplanar(const Points& points) {
-  // Coordinates are rounded to 2^-53 of their size; an offset of the mesh eats into what is left of that.
-  const double size = points.rows() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
-  const double extent =
-      points.rows() > 0 ? (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff() : 0.0;
-  const double rounding = extent > 0.0 ? 1e-16 * size / extent : 1.0;
-  return spreadOf(points)[0] <= std::max(1e-13, 4.0 * rounding);
-}
 
 VoronoiVertices voronoiVertices(const Points& sites, const Progress& progress) {
   progress.throwIfCancelled();

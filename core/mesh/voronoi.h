@@ -22,15 +22,6 @@ struct VoronoiVertices {
   }
 };
 
-/// How far from a plane, a line or a point a set of points spreads: the square roots of the eigenvalues of
-/// its covariance, ascending, as shares of the largest one (which is 1, or 0 when all points are the same).
-/// Exact enough to tell flat sets apart wherever they lie.
-Vec3 spreadOf(const Points& points);
-
-/// Whether the points lie in a plane (or on a line, or in one point) as far as double precision can tell:
-/// such points have no Voronoi vertices.
-bool areCoplanar(const Points& points);
-
 /// The finite Voronoi vertices of the sites (McDonnell & Qin, Figure 2, step 1), by Qhull. The sites are
 /// centred and scaled first; of sites at the same position the lowest row counts.
 /// Throws InvalidInput for coordinates that are not finite and for coplanar sites; SolverError where Qhull

@@ -1,6 +1,7 @@
 #include "core/mesh/voronoi.h"
 #include "core/base/error.h"
 #include "core/mesh/nearest.h"
+#include "core/mesh/spread.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 

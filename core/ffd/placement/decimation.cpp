@@ -186,12 +186,4 @@ Decimated decimateInOctree(const Points& points, Index target, const MergeRules&
   return decimated;
 }
 
-Decimated decimate(const Points& points, Index target, const MergeRules& rules, const DecimationLimits& limits,
-                   const Progress& progress) {
-  const Index pool = std::max(limits.exactCount, limits.poolFactor * target);
-  const Decimated coarse = decimateInOctree(points, pool, rules, progress);
-  const MergedPoints merged = mergeClosestPairs(coarse.points, target, {coarse.groups, rules.factor}, progress);
-  return {merged.points, groupsAt(coarse.groups, merged.places)};
-}
-
 }  // namespace pbffd

@@ -49,13 +49,4 @@ struct Decimated {
 Decimated decimateInOctree(const Points& points, Index target, const MergeRules& rules = {},
                            const Progress& progress = {});
 
-/// The whole decimation: octree cells down to `poolFactor` times the target (never below `exactCount`
-/// points), then the closest pairs exactly.
-struct DecimationLimits {
-  Index poolFactor = 16;
-  Index exactCount = 3000;  ///< up to so many points the result is the one of closest pairs alone
-};
-Decimated decimate(const Points& points, Index target, const MergeRules& rules = {},
-                   const DecimationLimits& limits = {}, const Progress& progress = {});
-
 }  // namespace pbffd

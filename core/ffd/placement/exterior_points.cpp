@@ -62,9 +62,9 @@ ExteriorPools exteriorPools(const SurfaceParts& parts, const SurfaceSamples& sam
       }
     }
   }
-  pools.outside.shrink();
-  pools.around.shrink();
-  pools.enclosed.shrink();
+  pools.outside.dropDoubles();
+  pools.around.dropDoubles();
+  pools.enclosed.dropDoubles();
   return pools;
 }
 

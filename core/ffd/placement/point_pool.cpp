@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 namespace pbffd {
 namespace {
@@ -19,8 +21,13 @@ constexpr Index greatestPool = 16000;
 /// ... but always a choice of so many.
 constexpr Index leastFactor = 3;
 
-Index poolFor(Index target) {
-  return std::max(leastFactor * target, std::clamp(poolFactor * target, leastPool, greatestPool));
+/// So few places need no octree: their closest pairs merge exactly from the start.
+constexpr Index exactPool = 3000;
+
+Index coarseTarget(Index places, Index target) {
+  return places <= exactPool
+             ? places
+             : std::max(leastFactor * target, std::clamp(poolFactor * target, leastPool, greatestPool));
 }
 
 MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
@@ -109,13 +116,34 @@ void PointPool::append(const Vec3& point, Index part) {
   parts.push_back(part);
 }
 
+void PointPool::dropDoubles() {
+  std::vector<Index> order(parts.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](Index i) { return std::tuple(points(i, 0), points(i, 1), points(i, 2), i); };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  std::vector<bool> isDouble(parts.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    isDouble[order[i]] = points.row(order[i]) == points.row(order[i - 1]);
+  }
+  Index kept = 0;
+  for (Index i = 0; i < size(); ++i) {
+    if (!isDouble[i]) {
+      points.row(kept) = points.row(i);
+      parts[kept++] = parts[i];
+    }
+  }
+  parts.resize(static_cast<std::size_t>(kept));
+  shrink();
+}
+
 PointPool decimatedPool(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
                         const Progress& progress) {
   if (target <= 0) {
     return {};
   }
   const MergeRules rules = rulesFor(pool, target, side, parts);
-  const Decimated coarse = decimateInOctree(pool.points, poolFor(target), {rules.groups, nullptr}, progress);
+  const Decimated coarse =
+      decimateInOctree(pool.points, coarseTarget(pool.size(), target), {rules.groups, nullptr}, progress);
   PointPool left{coarse.points, coarse.groups};
   if (left.size() < pool.size()) {
     left = withoutOffSide(left, side, parts, progress);

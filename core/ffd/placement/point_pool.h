@@ -13,6 +13,9 @@ struct PointPool {
 
   Index size() const { return static_cast<Index>(parts.size()); }
   void append(const Vec3& point, Index part);
+  /// Keeps of those at the very same position the first one, and gives back what append() kept ready. Shells
+  /// that lie in each other would else bring points that nobody can tell apart.
+  void dropDoubles();
   /// Gives back what append() kept ready.
   void shrink() { points.conservativeResize(size(), 3); }
 };

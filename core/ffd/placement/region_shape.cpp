@@ -7,14 +7,32 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pbffd {
 namespace {
 
 /// The local distribution is that of so many neighbours.
 constexpr int neighbourCount = 8;
+/// Fewer points have no distribution to speak of.
+constexpr int fewestForShape = 5;
 /// No axis is shorter than this share of the longest: flatter regions leave gaps between them.
 constexpr double leastShare = 0.4;
+
+/// The distance of the nearest point that stands apart from `center`; none where all are there.
+std::optional<double> distanceApart(const NearestPoints& nearest, const Vec3& center, int total) {
+  for (int count = 2;; count *= 4) {
+    const auto around = nearest.nearest(center, std::min(count, total));
+    const auto apart =
+        std::find_if(around.begin(), around.end(), [](const auto& one) { return one.distance > 0.0; });
+    if (apart != around.end()) {
+      return apart->distance;
+    }
+    if (count >= total) {
+      return std::nullopt;
+    }
+  }
+}
 
 /// Axes of unit volume along the principal directions of the neighbours about `center`.
 Mat3 shapeOf(const Vec3& center, const Points& points, const std::vector<NearestPoints::Neighbour>& around) {
@@ -53,13 +71,15 @@ std::vector<Frame> regionsOf(const Points& points, double factor, RegionShape sh
   parallelFor(regions.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 center = points.row(static_cast<Index>(i));
-      auto around = nearest.nearest(center, shape == RegionShape::sphere ? 2 : neighbourCount + 1);
+      const auto total = static_cast<int>(points.rows());
+      const double radius = factor * distanceApart(nearest, center, total).value_or(lone);
+      if (shape == RegionShape::sphere || total < fewestForShape) {
+        regions[i] = {center, radius * Mat3::Identity()};
+        continue;
+      }
+      auto around = nearest.nearest(center, neighbourCount + 1);
       std::erase_if(around, [&](const auto& neighbour) { return neighbour.index == static_cast<Index>(i); });
-      const auto apart = std::find_if(around.begin(), around.end(),
-                                      [](const auto& neighbour) { return neighbour.distance > 0.0; });
-      const double radius = factor * (apart == around.end() ? lone : apart->distance);
-      const bool isBall = shape == RegionShape::sphere || around.size() < 4;
-      regions[i] = {center, radius * (isBall ? Mat3::Identity() : shapeOf(center, points, around))};
+      regions[i] = {center, radius * shapeOf(center, points, around)};
     }
   });
   return regions;

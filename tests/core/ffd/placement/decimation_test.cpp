@@ -1,6 +1,7 @@
 #include "core/ffd/placement/decimation.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/ffd/placement/dense_merging.h"
 #include "tests/support/test_main.h"
 
 #include <QtTest>
@@ -94,9 +95,11 @@ class DecimationTest : public QObject {
   }
 
   void mergesThreeThousandAsTheNaiveWay() {
-    // The naive way takes minutes down to few points; the first merges are those of the densest part.
     const Points points = randomPoints(3000);
-    QVERIFY(areSame(mergeClosestPairs(points, 2700), naive(points, 2700)));
+    // The naive way takes minutes down to few points; the first merges are those of the densest part ...
+    QVERIFY(areSame(mergeClosestPairs(points, 2950), naive(points, 2950)));
+    // ... and all the others are those of keeping each point's nearest, which dense_merging_test tries out.
+    QVERIFY(areSame(mergeClosestPairs(points, 1), mergeFewClosestPairs(points, 1)));
   }
 
   void tiesGoToTheLowestPlaces() {
@@ -168,22 +171,22 @@ class DecimationTest : public QObject {
     }
   }
 
-  void smallSetsAreDecimatedExactly() {
+  void octreeLeavesSmallSetsAlone() {
     const Points points = randomPoints(2000);
-    QVERIFY(decimate(points, 100).points == mergeClosestPairs(points, 100).points);
-    QVERIFY(decimate(points, 3000).points == points);
+    QVERIFY(decimateInOctree(points, 2000).points == points);
   }
 
-  void largeSetsReachTheTarget() {
-    QCOMPARE(decimate(randomPoints(50000), 77).points.rows(), Eigen::Index(77));
-    QCOMPARE(decimate(Points::Constant(50000, 3, 1.0), 10).points.rows(), Eigen::Index(10));
+  void pointsInOnePlaceReachTheTarget() {
+    QVERIFY(decimateInOctree(Points::Constant(50000, 3, 1.0), 10).points.rows() <= 10);
   }
 
   void threadsDoNotMatter() {
     const Points points = randomPoints(30000);
-    const Decimated parallel = decimate(points, 100);
+    const Decimated parallel = decimateInOctree(points, 1000);
     const ThreadLimit one(1);
-    QVERIFY(decimate(points, 100).points == parallel.points);
+    QVERIFY(decimateInOctree(points, 1000).points == parallel.points);
+    QVERIFY(mergeClosestPairs(parallel.points, 50).points ==
+            mergeClosestPairs(decimateInOctree(points, 1000).points, 50).points);
   }
 
   void cancelStopsIt() {

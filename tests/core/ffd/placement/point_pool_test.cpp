@@ -1,5 +1,6 @@
 #include "core/ffd/placement/point_pool.h"
 #include "core/base/error.h"
+#include "core/ffd/placement/decimation.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -63,6 +64,30 @@ class PointPoolTest : public QObject {
     for (Index i = 0; i < few.size(); ++i) {
       QVERIFY(parts.isInside(few.points.row(i)));
     }
+  }
+
+  void upToThreeThousandPlacesMergeLikeTheClosestPairs() {
+    // Nothing of the mesh lies between places within a convex one.
+    const SurfaceParts parts = partsOf(test::cube());
+    const PointPool pool = scattered(parts, 3000, true);
+    for (const Index target : {1000, 100, 7}) {
+      QVERIFY(decimatedPool(pool, target, Side::inside, parts, {}).points ==
+              mergeClosestPairs(pool.points, target).points);
+    }
+  }
+
+  void doublesAreDroppedTheFirstStays() {
+    PointPool pool;
+    for (const double x : {2.0, 1.0, 2.0, 0.0, 1.0, 2.0}) {
+      pool.append(Vec3(x, 0, 0), pool.size());
+    }
+    pool.dropDoubles();
+    QCOMPARE(pool.parts, (std::vector<Index>{0, 1, 3}));
+    QCOMPARE(pool.points.rows(), Eigen::Index(3));
+    QCOMPARE(pool.points(2, 0), 0.0);
+    PointPool none;
+    none.dropDoubles();
+    QCOMPARE(none.size(), 0);
   }
 
   void partsStayApartWhileThereAreEnoughPoints() {

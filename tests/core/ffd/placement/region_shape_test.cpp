@@ -29,6 +29,15 @@ class RegionShapeTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void pointsInTheSamePlaceLookForTheNearestApart() {
+    Points points = Points::Zero(40, 3);
+    points(39, 0) = 2.0;
+    for (const Frame& region : regionsOf(points, 1.5, RegionShape::sphere, 9.0)) {
+      QVERIFY(region.axes == 3.0 * Mat3::Identity());
+    }
+    QVERIFY(regionsOf(Points::Zero(40, 3), 1.5, RegionShape::sphere, 9.0)[7].axes == 13.5 * Mat3::Identity());
+  }
+
   void ballsReachTheNearestPointTimesTheFactor() {
     const Points points = rowsOf({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}});
     const std::vector<Frame> regions = regionsOf(points, 1.5, RegionShape::sphere, 9.0);

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/ffd/placement/random_order.h"
 #include "core/ffd/placement/spaced_picks.h"
+#include "core/mesh/spread.h"
 #include "core/mesh/voronoi.h"
 
 #include <algorithm>
@@ -63,11 +64,11 @@ std::vector<double> sliverRadii(const SurfaceParts& parts, const PointPool& insi
                                 const std::vector<double>& radii) {
   std::vector<std::vector<double>> radiiOfPart(static_cast<std::size_t>(parts.count()));
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    radiiOfPart[inside.parts[i]].push_back(radii[i] / parts.mesh().diagonal());
+    radiiOfPart[inside.parts[i]].push_back(radii[i] / parts.diagonal());
   }
   std::vector<double> limits;
   for (auto& one : radiiOfPart) {
-    limits.push_back(parts.mesh().diagonal() *
+    limits.push_back(parts.diagonal() *
                      std::min(sliverShareOfDiagonal, sliverShareOfUsual * usualRadius(std::move(one))));
   }
   return limits;
@@ -105,7 +106,7 @@ std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsign
                                   const Progress& progress) {
   // However small the volume is in its box, no more than fit in memory.
   constexpr double greatestGrid = 1e6;
-  const Bounds& bounds = parts.mesh().bounds();
+  const Bounds& bounds = parts.bounds();
   Grid grid(bounds, size);
   while (grid.total() > greatestGrid) {
     size *= 1.25;
@@ -244,13 +245,13 @@ PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& s
       kept.append(inside.points.row(i), inside.parts[i]);
     }
   }
-  kept.shrink();
+  kept.dropDoubles();
   return kept;
 }
 
 PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
                               const Progress& progress) {
-  const Bounds& bounds = parts.mesh().bounds();
+  const Bounds& bounds = parts.bounds();
   const double volume = parts.volume();
   if (target <= 0 || !(volume > 0.0)) {
     return pool;

@@ -7,47 +7,93 @@
 #include "core/ffd/placement/placement_cache.h"
 #include "core/ffd/placement/region_shape.h"
 #include "core/ffd/placement/shares.h"
-#include "core/mesh/voronoi.h"
+#include "core/mesh/spread.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace pbffd {
 
+namespace {
+
+constexpr auto notPlaced = "Control points cannot be placed: ";
+
+void requireFinite(const RestMesh& mesh) {
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (!mesh.positions().row(v).allFinite()) {
+      throw InvalidInput(format(
+          "{}vertex {} has a coordinate that is not a finite number. Correct it in the mesh.", notPlaced, v));
+    }
+  }
+}
+
+/// The positions of the vertices that have a face.
+Points surfacePositions(const RestMesh& mesh) {
+  std::vector<bool> hasFace(static_cast<std::size_t>(mesh.vertexCount()), false);
+  for (const Index vertex : mesh.mesh().faces.vertices()) {
+    hasFace[vertex] = true;
+  }
+  Points surface(std::count(hasFace.begin(), hasFace.end(), true), 3);
+  Index row = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (hasFace[v]) {
+      surface.row(row++) = mesh.positions().row(v);
+    }
+  }
+  return surface;
+}
+
+/// Areas are squared on the way, and have to stay within double precision.
+void requireUsableSize(const Points& surface) {
+  constexpr double least = 1e-60;
+  constexpr double greatest = 1e60;
+  const Bounds bounds = boundsOf(surface);
+  const double diagonal = (bounds.high - bounds.low).stableNorm();
+  const double size = surface.cwiseAbs().maxCoeff();
+  if (size > greatest || (diagonal > 0.0 && diagonal < least)) {
+    throw InvalidInput(
+        format("{}the mesh has a diagonal of {} and coordinates up to {}, where {} to {} can be worked with. "
+               "Scale it to another unit.",
+               notPlaced, diagonal, size, least, greatest));
+  }
+}
+
+bool hasArea(const RestMesh& mesh) {
+  const std::vector<Index>& corners = mesh.triangles().vertices;
+  for (std::size_t t = 0; t < corners.size(); t += 3) {
+    const auto at = [&](std::size_t k) -> Vec3 { return mesh.positions().row(corners[t + k]); };
+    if (!(at(1) - at(0)).cross(at(2) - at(0)).isZero(0.0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 void requirePlaceable(const RestMesh& mesh) {
-  constexpr auto what = "Control points cannot be placed: ";
   if (mesh.mesh().faces.empty() || mesh.triangles().size() == 0) {
     throw InvalidInput(
         format("{}the mesh has {} vertices, but no faces that span a surface. Take a mesh with faces; if it "
                "should have some, export it again.",
-               what, mesh.vertexCount()));
+               notPlaced, mesh.vertexCount()));
   }
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (!mesh.positions().row(v).allFinite()) {
-      throw InvalidInput(
-          format("{}vertex {} has a coordinate that is not a finite number. Correct it in the mesh.", what, v));
-    }
+  requireFinite(mesh);
+  const Points surface = surfacePositions(mesh);
+  requireUsableSize(surface);
+  const Vec3 spread = spreadOf(surface);
+  const char* const where = spread[2] == 0.0                        ? "in one point"
+                            : spread[1] <= roundingShareOf(surface) ? "on one line"
+                                                                    : nullptr;
+  if (where != nullptr) {
+    throw InvalidInput(format("{}all {} vertices of its faces lie {}. Check how the mesh was exported.",
+                              notPlaced, surface.rows(), where));
   }
-  const Vec3 spread = spreadOf(mesh.positions());
-  constexpr double rounding = 1e-13;
-  if (spread[2] == 0.0) {
-    throw InvalidInput(format("{}all {} vertices lie in one point. Check how the mesh was exported.", what,
-                              mesh.vertexCount()));
-  }
-  // Areas are squared on the way, and have to stay within double precision.
-  constexpr double greatest = 1e60;
-  const double size =
-      std::max(mesh.bounds().low.cwiseAbs().maxCoeff(), mesh.bounds().high.cwiseAbs().maxCoeff());
-  if (size > greatest || mesh.diagonal() < 1.0 / greatest) {
-    throw InvalidInput(
-        format("{}the mesh has a diagonal of {} and coordinates up to {}, where {} to {} can be worked with. "
-               "Scale it to another unit.",
-               what, mesh.diagonal(), size, 1.0 / greatest, greatest));
-  }
-  if (spread[1] <= rounding) {
-    throw InvalidInput(format("{}all {} vertices lie on one line. Check how the mesh was exported.", what,
-                              mesh.vertexCount()));
+  if (!hasArea(mesh)) {
+    throw InvalidInput(format("{}none of the {} faces has an area. Check how the mesh was exported.", notPlaced,
+                              mesh.mesh().faces.size()));
   }
 }
 
@@ -154,12 +200,21 @@ std::vector<std::string> remarksOn(const Places& places, const PlacementCache& c
                "and an exterior share of {}.",
                places.pool.size(), options.points, options.offset, options.exteriorShare));
   }
+  if (const Index count = cache.parts->inconsistentCount(); count > 0) {
+    remarks.push_back(
+        format("{} part{} without a border {} taken as open: {} faces do not agree on which side is out. Make "
+               "the normals consistent where the mesh was made, or have the surface taken as closed.",
+               count, count == 1 ? "" : "s", count == 1 ? "is" : "are", count == 1 ? "its" : "their"));
+  }
   if (cache.parts->count() > options.points) {
     remarks.push_back(format("The mesh has {} separate parts, more than points: some parts share a point.",
                              cache.parts->count()));
   }
   if (cache.parts->countOf(true) > 0 && places.interior == 0 && options.exteriorShare < 1.0) {
     remarks.emplace_back("Nothing is inside the closed surface: all points lie outside.");
+  } else if (const Index wanted = wantedShares(options, *cache.parts).interior; places.interior < wanted) {
+    remarks.push_back(
+        format("There is room inside for {} of {} points; the others lie outside.", places.interior, wanted));
   }
   return remarks;
 }
@@ -178,7 +233,7 @@ PlacementResult placeControlPoints(const std::shared_ptr<const RestMesh>& mesh, 
   result.wanted = options.points;
   result.asClosed = result.cache->parts->countOf(true) > 0;
   const Places places = choosePlaces(*result.cache, options, progress);
-  std::vector<ControlPoint> points = pointsAt(places, options, mesh->diagonal());
+  std::vector<ControlPoint> points = pointsAt(places, options, result.cache->parts->diagonal());
   progress.report("Placing points: regions");
   growCoverage(points, *mesh, progress);
   for (ControlPoint& point : points) {

@@ -106,7 +106,7 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   const auto makeExterior = [&] {
     Exterior exterior;
     exterior.pools = std::make_shared<const ExteriorPools>(
-        exteriorPools(parts, samples.exterior, options.offset * mesh->diagonal(), progress));
+        exteriorPools(parts, samples.exterior, options.offset * parts.diagonal(), progress));
     if (!sameGround) {
       exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
       warmUp(*mesh, options.reach);

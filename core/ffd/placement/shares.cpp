@@ -14,17 +14,24 @@ Index rounded(double value) {
 
 Shares wantedShares(const PlacementOptions& options, const SurfaceParts& parts) {
   const Index total = options.points;
+  const Index closedParts = parts.countOf(true);
+  const Index spare = std::max<Index>(0, total - parts.count());
   const double openArea = parts.areaOf(false);
   const double closedArea = parts.areaOf(true);
   Shares shares;
   if (parts.countOf(false) > 0) {
+    // One for each part, and the rest by area.
     const double share = openArea + closedArea > 0.0 ? openArea / (openArea + closedArea) : 1.0;
-    const Index least = std::min(parts.countOf(false), total);
-    const Index most = std::max<Index>(least, total - parts.countOf(true));
-    shares.around = parts.countOf(true) == 0 ? total : std::clamp(rounded(share * total), least, most);
+    const Index each = std::min(parts.countOf(false), total);
+    shares.around = closedParts == 0 ? total : each + rounded(share * spare);
   }
-  shares.exterior = rounded(options.exteriorShare * (total - shares.around));
-  shares.interior = total - shares.around - shares.exterior;
+  const Index ofClosed = total - shares.around;
+  shares.exterior = rounded(options.exteriorShare * ofClosed);
+  // Where parts are many, one inside each comes before points outside.
+  if (options.exteriorShare < 1.0 && ofClosed >= closedParts && ofClosed - shares.exterior < closedParts) {
+    shares.exterior = rounded(options.exteriorShare * (ofClosed - closedParts));
+  }
+  shares.interior = ofClosed - shares.exterior;
   return shares;
 }
 

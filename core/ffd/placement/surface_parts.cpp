@@ -1,6 +1,7 @@
 #include "core/ffd/placement/surface_parts.h"
 
 #include "core/base/parallel.h"
+#include "core/ffd/placement/mesh_parts.h"
 #include "core/mesh/morton.h"
 
 #include <Eigen/Geometry>
@@ -11,26 +12,43 @@
 namespace pbffd {
 namespace {
 
-std::vector<bool> closedFlags(const Topology& topology, Surface how) {
-  switch (how) {
-    case Surface::closed:
-      return std::vector<bool>(topology.isComponentClosed.size(), true);
-    case Surface::open:
-      return std::vector<bool>(topology.isComponentClosed.size(), false);
-    case Surface::automatic:
-      break;
+Points rowsOf(const Points& points, const std::vector<Index>& rows) {
+  Points some(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    some.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
   }
-  return topology.isComponentClosed;
+  return some;
 }
 
 }  // namespace
 
-SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how)
-    : mesh_(std::move(mesh)),
-      isClosed_(closedFlags(mesh_->topology(), how)),
-      isTurned_(isClosed_.size(), false) {
+SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how) : mesh_(std::move(mesh)) {
+  MeshParts parts = meshParts(*mesh_);
+  isClosed_ = std::move(parts.isClosed);
+  if (how == Surface::automatic) {
+    inconsistentCount_ = parts.inconsistentCount;
+  } else {
+    isClosed_.assign(isClosed_.size(), how == Surface::closed);
+  }
+  isTurned_.assign(isClosed_.size(), false);
+  nameParts(parts.ofFace);
+  measure();
+  inside_ = std::make_unique<WindingNumber>(workingPositions(), closedCorners());
+  turnPartsInsideOut();
+  if (countOf(false) > 0) {
+    const Triangles& triangles = mesh_->triangles();
+    std::vector<Index> corners;
+    for (Index t = 0; t < triangles.size(); ++t) {
+      if (!isClosed_[partOfTriangle_[t]]) {
+        corners.insert(corners.end(), &triangles.vertices[3 * t], &triangles.vertices[3 * t] + 3);
+      }
+    }
+    openParts_ = std::make_unique<TriangleTree>(workingPositions(), corners);
+  }
+}
+
+void SurfaceParts::nameParts(const std::vector<Index>& partOfFace) {
   const Polygons& faces = mesh_->mesh().faces;
-  const std::vector<Index>& partOfFace = mesh_->topology().componentOfFace;
   partOfVertex_.assign(static_cast<std::size_t>(mesh_->vertexCount()), -1);
   for (Index f = 0; f < faces.size(); ++f) {
     for (const Index vertex : faces[f]) {
@@ -42,23 +60,20 @@ SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how)
   for (const Index face : triangles.faceOfTriangle) {
     partOfTriangle_.push_back(partOfFace[face]);
   }
-  measure();
-  inside_ = std::make_unique<WindingNumber>(mesh_->positions(), closedCorners());
-  turnPartsInsideOut();
-  if (countOf(false) > 0) {
-    std::vector<Index> corners;
-    for (Index t = 0; t < triangles.size(); ++t) {
-      if (!isClosed_[partOfTriangle_[t]]) {
-        corners.insert(corners.end(), &triangles.vertices[3 * t], &triangles.vertices[3 * t] + 3);
-      }
-    }
-    openParts_ = std::make_unique<TriangleTree>(mesh_->positions(), corners);
-  }
 }
 
 void SurfaceParts::measure() {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh_->vertexCount(); ++v) {
+    if (partOfVertex_[v] >= 0) {
+      vertices.push_back(v);
+    }
+  }
+  const Points surface = rowsOf(mesh_->positions(), vertices);
+  bounds_ = boundsOf(surface);
+  round_ = RoundSpace::of(mesh_->positions(), surface);
   const Triangles& triangles = mesh_->triangles();
-  const Vec3 center = mesh_->bounds().center();
+  const Vec3 center = bounds_.center();
   area_.assign(isClosed_.size(), 0.0);
   signedVolume_.assign(isClosed_.size(), 0.0);
   for (Index t = 0; t < triangles.size(); ++t) {
@@ -91,6 +106,17 @@ std::vector<Index> SurfaceParts::closedCorners() const {
   return corners;
 }
 
+/// Whether the winding number behind a triangle is below that of nothing.
+bool SurfaceParts::isInsideOut(Index triangle) const {
+  constexpr double step = 1e-6;
+  const auto at = [&](int k) -> Vec3 {
+    return workingPositions().row(mesh_->triangles().vertices[3 * triangle + k]);
+  };
+  const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
+  const double size = round_ ? 1.0 : diagonal();
+  return inside_->at((at(0) + at(1) + at(2)) / 3.0 + step * size * normal) < -0.5;
+}
+
 /// A part of negative volume is the wall of a hollow, or it lies inside out: then the winding number behind
 /// its faces is -1, where in the solid around a hollow it is 1.
 void SurfaceParts::turnPartsInsideOut() {
@@ -110,15 +136,13 @@ void SurfaceParts::turnPartsInsideOut() {
   }
   bool anyTurned = false;
   for (std::size_t part = 0; part < largest.size(); ++part) {
-    if (const Index t = largest[part]; t >= 0) {
-      const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(triangles.vertices[3 * t + k]); };
-      const Vec3 behind = (at(0) + at(1) + at(2)) / 3.0 + 1e-6 * mesh_->diagonal() * triangleNormal(t);
-      isTurned_[part] = inside_->at(behind) < -0.5;
+    if (largest[part] >= 0) {
+      isTurned_[part] = isInsideOut(largest[part]);
       anyTurned = anyTurned || isTurned_[part];
     }
   }
   if (anyTurned) {
-    inside_ = std::make_unique<WindingNumber>(mesh_->positions(), closedCorners());
+    inside_ = std::make_unique<WindingNumber>(workingPositions(), closedCorners());
     volume_ = 0.0;
     for (std::size_t part = 0; part < isClosed_.size(); ++part) {
       volume_ += isClosed_[part] ? (isTurned_[part] ? -signedVolume_[part] : signedVolume_[part]) : 0.0;
@@ -166,7 +190,9 @@ std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress
 }
 
 bool SurfaceParts::isBetween(const Vec3& from, const Vec3& to) const {
-  return inside_->triangles().isCrossed(from, to) || (openParts_ && openParts_->isCrossed(from, to));
+  const Vec3 a = working(from);
+  const Vec3 b = working(to);
+  return inside_->triangles().isCrossed(a, b) || (openParts_ && openParts_->isCrossed(a, b));
 }
 
 }  // namespace pbffd

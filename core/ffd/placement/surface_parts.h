@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ffd/placement/placement.h"
+#include "core/ffd/placement/round_space.h"
 #include "core/mesh/winding_number.h"
 
 #include <memory>
@@ -15,12 +16,17 @@ class SurfaceParts {
   SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how);
 
   const RestMesh& mesh() const { return *mesh_; }
+  /// Of the vertices that have a face: others are no place to be near to.
+  const Bounds& bounds() const { return bounds_; }
+  double diagonal() const { return bounds_.diagonal(); }
   Index count() const { return static_cast<Index>(isClosed_.size()); }
   bool isClosed(Index part) const { return isClosed_[part]; }
   double area(Index part) const { return area_[part]; }
   /// Of all closed or of all open parts.
   double areaOf(bool closed) const;
   Index countOf(bool closed) const;
+  /// Parts that are taken as open only because their faces do not agree on which side is out.
+  Index inconsistentCount() const { return inconsistentCount_; }
   /// What the closed parts enclose.
   double volume() const { return volume_; }
 
@@ -34,20 +40,29 @@ class SurfaceParts {
   Vec3 triangleNormal(Index triangle) const;
 
   /// Whether the point is inside the closed parts, by the winding number.
-  bool isInside(const Vec3& point) const { return inside_->isInside(point); }
+  bool isInside(const Vec3& point) const { return inside_->isInside(working(point)); }
   /// The same for each of the points, in parallel. Throws Cancelled.
   std::vector<bool> insideFlags(const Points& points, const Progress& progress) const;
-  double windingNumber(const Vec3& point) const { return inside_->at(point); }
+  double windingNumber(const Vec3& point) const { return inside_->at(working(point)); }
   /// Whether any part, closed or open, lies between the two points.
   bool isBetween(const Vec3& from, const Vec3& to) const;
 
  private:
+  void nameParts(const std::vector<Index>& partOfFace);
   std::vector<Index> closedCorners() const;
   void measure();
+  bool isInsideOut(Index triangle) const;
   void turnPartsInsideOut();
+
+  /// Where questions of sides are decided.
+  const Points& workingPositions() const { return round_ ? round_->positions() : mesh_->positions(); }
+  Vec3 working(const Vec3& point) const { return round_ ? (*round_)(point) : point; }
 
   std::shared_ptr<const RestMesh> mesh_;
   std::vector<bool> isClosed_;
+  Index inconsistentCount_ = 0;
+  Bounds bounds_;
+  std::optional<RoundSpace> round_;
   std::vector<bool> isTurned_;
   std::vector<double> area_;
   std::vector<double> signedVolume_;

@@ -110,7 +110,7 @@ class Thrower {
     for (const Index v : vertices_) {
       widest = std::max(widest, scale * spacing_[v]);
     }
-    SpacedPicks picks(parts_.mesh().bounds().low, parts_.mesh().bounds().high, widest);
+    SpacedPicks picks(parts_.bounds().low, parts_.bounds().high, widest);
     std::vector<Index> picked;
     std::vector<bool> isPicked(spacing_.size(), false);
     for (const Index v : before) {
@@ -199,7 +199,7 @@ SurfaceSamples withFaceSamples(const SurfaceParts& parts, const SurfaceSamples& 
                             parts.triangleNormal(t), parts.partOfTriangle()[t], spacing});
     }
   }
-  SpacedPicks picks(mesh.bounds().low, mesh.bounds().high, spacing);
+  SpacedPicks picks(parts.bounds().low, parts.bounds().high, spacing);
   for (Index i = 0; i < samples.size(); ++i) {
     picks.pick({samples.positions.row(i), samples.normals.row(i), samples.parts[i], spacing});
   }

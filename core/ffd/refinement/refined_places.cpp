@@ -181,8 +181,8 @@ RefinementPools refinementPools(const std::shared_ptr<const RestMesh>& mesh, con
                                 const Progress& progress) {
   cache = PlacementCache::make(mesh, options, progress, cache.get());
   PlacementOptions nearer = options;
-  nearer.offset =
-      std::min(options.offset, offsetShare * medianSize(task) / (std::sqrt(task.factor) * mesh->diagonal()));
+  nearer.offset = std::min(
+      options.offset, offsetShare * medianSize(task) / (std::sqrt(task.factor) * cache->parts->diagonal()));
   const auto used = PlacementCache::make(mesh, nearer, progress, cache.get());
   RefinementPools pools;
   pools.parts = used->parts;

@@ -9,6 +9,8 @@
 #include <QtTest>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -283,6 +285,101 @@ class PlacementTest : public QObject {
   void squashedSolidsGetAsManyAsAskedFor() {
     for (const Vec3& factors : {Vec3(1, 1, 1e-3), Vec3(1, 1e3, 1e-3), Vec3(1, 1e6, 1)}) {
       requireGuarantees(stretched(test::sphere(), factors), withPoints(100));
+    }
+  }
+
+  void wildlyStretchedMeshesGetPointsInside() {
+    const Mesh fork = test::fork();
+    const SurfaceParts plain(rest(fork), Surface::automatic);
+    for (const Vec3& factors : {Vec3(1e6, 1, 1), Vec3(1, 1, 1e-6)}) {
+      requireGuarantees(stretched(fork, factors), withPoints(100));
+      // Sides are the same in the mesh as it was.
+      for (const ControlPoint& point : place(stretched(fork, factors), withPoints(100)).finest) {
+        const Vec3 at = point.rest.center.cwiseQuotient(factors);
+        QCOMPARE(plain.isInside(at), point.kind == PointKind::interior);
+      }
+    }
+  }
+
+  void verticesWithoutFacesDoNotMatter() {
+    Mesh mesh = test::cylinder();
+    const PlacementResult without = place(mesh, withPoints(60));
+    mesh.positions.conservativeResize(mesh.positions.rows() + 1, 3);
+    mesh.positions.bottomRows(1) << 1e6, 1e6, 1e6;
+    QVERIFY(areSame(place(mesh, withPoints(60)).finest, without.finest));
+  }
+
+  void shellsInTheSamePlaceShareNoPoint() {
+    const PlacementResult result = place(test::merged(test::fork(), test::fork()), withPoints(100));
+    QCOMPARE(result.finest.size(), Index(100));
+    std::set<std::array<double, 3>> places;
+    for (const ControlPoint& point : result.finest) {
+      places.insert({point.rest.center.x(), point.rest.center.y(), point.rest.center.z()});
+      QVERIFY(point.rest.axes.col(0).norm() < 3.0);
+    }
+    QCOMPARE(places.size(), std::size_t{100});
+  }
+
+  void manySmallPartsGetAPointInsideEach() {
+    Mesh mesh = test::placedAt(test::sheet(20), 10.0, Vec3(0, 0, -1));
+    for (int i = 0; i < 30; ++i) {
+      mesh = test::merged(mesh, test::placedAt(test::cube(), 0.2, Vec3(i % 6 - 2.5, i / 6 - 2.0, 0.0)));
+    }
+    const PlacementResult result = place(mesh, withPoints(80));
+    QCOMPARE(result.finest.size(), Index(80));
+    for (int i = 0; i < 30; ++i) {
+      const Vec3 center(i % 6 - 2.5, i / 6 - 2.0, 0.0);
+      const auto isInCube = [&](const ControlPoint& point) {
+        return (point.rest.center - center).cwiseAbs().maxCoeff() < 0.1;
+      };
+      QVERIFY(std::any_of(result.finest.begin(), result.finest.end(), isInCube));
+    }
+  }
+
+  void facesThatDisagreeAreNamed() {
+    Mesh mesh;
+    mesh.positions = test::cylinder().positions;
+    const Mesh cylinder = test::cylinder();
+    for (Index f = 0; f < cylinder.faces.size(); ++f) {
+      std::vector<Index> face(cylinder.faces[f].begin(), cylinder.faces[f].end());
+      if (f % 2 == 0) {
+        std::reverse(face.begin(), face.end());
+      }
+      mesh.faces.add(face);
+    }
+    const PlacementResult result = place(mesh, withPoints(60));
+    QCOMPARE(result.finest.size(), Index(60));
+    QVERIFY(!result.asClosed);
+    QVERIFY(result.remarks.at(1).find("do not agree on which side is out") != std::string::npos);
+    QCOMPARE(gapsOf(*rest(mesh), result.finest).uncovered, 0);
+  }
+
+  void tooLittleRoomInsideIsSaid() {
+    Mesh mesh = test::placedAt(test::cube(), 0.01, Vec3::Zero());
+    for (int i = 1; i < 40; ++i) {
+      mesh = test::merged(mesh, test::placedAt(test::cube(), 0.01, Vec3(i, 0.3 * i, 0)));
+    }
+    const PlacementResult result = place(mesh, withPoints(5000));
+    int inside = 0;
+    for (const ControlPoint& point : result.finest) {
+      inside += point.kind == PointKind::interior;
+    }
+    const bool isSaid =
+        std::any_of(result.remarks.begin(), result.remarks.end(),
+                    [](const std::string& remark) { return remark.find("room inside") != std::string::npos; });
+    QCOMPARE(isSaid, inside < 2500);
+  }
+
+  void facesWithoutAreaAreRefused() {
+    Mesh mesh;
+    mesh.positions = test::cube().positions;
+    mesh.faces.add(std::vector<Index>{0, 1, 1});
+    mesh.faces.add(std::vector<Index>{2, 7, 2});
+    try {
+      place(mesh, withPoints(10));
+      QFAIL("placed");
+    } catch (const InvalidInput& error) {
+      QVERIFY(std::string(error.what()).find("area") != std::string::npos);
     }
   }
 

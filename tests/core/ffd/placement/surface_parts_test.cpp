@@ -4,7 +4,9 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace pbffd {
 namespace {
@@ -70,6 +72,56 @@ class SurfacePartsTest : public QObject {
     }
     QVERIFY(parts.triangleNormal(0).dot(parts.mesh().positions().row(parts.mesh().triangles().vertices[0])) >
             0.0);
+  }
+
+  void sidesOfANeedleAreTold() {
+    // Inside and between are the same under affine maps.
+    const Mesh fork = test::fork();
+    const SurfaceParts plain = partsOf(fork);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> share(-0.1, 1.1);
+    const Bounds& bounds = plain.bounds();
+    for (const Vec3& factors : {Vec3(1e6, 1, 1), Vec3(1, 1, 1e-6), Vec3(1e5, 1, 1e-5)}) {
+      Mesh needle = fork;
+      needle.positions = fork.positions * factors.asDiagonal();
+      const SurfaceParts parts = partsOf(turnedOver(needle));
+      Vec3 before = Vec3::Zero();
+      for (int i = 0; i < 1000; ++i) {
+        const Vec3 at =
+            bounds.low +
+            Vec3(share(random), share(random), share(random)).cwiseProduct(bounds.high - bounds.low);
+        QCOMPARE(parts.isInside(factors.cwiseProduct(at)), plain.isInside(at));
+        QCOMPARE(parts.isBetween(factors.cwiseProduct(before), factors.cwiseProduct(at)),
+                 plain.isBetween(before, at));
+        before = at;
+      }
+    }
+  }
+
+  void verticesWithoutFacesHaveNoPlaceInTheBounds() {
+    Mesh mesh = test::cube();
+    mesh.positions.conservativeResize(9, 3);
+    mesh.positions.row(8) << 1e6, 0, 0;
+    const SurfaceParts parts = partsOf(mesh);
+    QVERIFY((parts.bounds().high - Vec3::Constant(0.5)).norm() < 1e-12);
+    QVERIFY(std::abs(parts.diagonal() - std::sqrt(3.0)) < 1e-12);
+  }
+
+  void facesThatDisagreeAreCountedUnlessAllIsTaken() {
+    Mesh mesh;
+    const Mesh cube = test::cube();
+    mesh.positions = cube.positions;
+    for (Index f = 0; f < 6; ++f) {
+      std::vector<Index> face(cube.faces[f].begin(), cube.faces[f].end());
+      if (f == 3) {
+        std::reverse(face.begin(), face.end());
+      }
+      mesh.faces.add(face);
+    }
+    QCOMPARE(partsOf(mesh).inconsistentCount(), 1);
+    QCOMPARE(partsOf(mesh).countOf(true), 0);
+    QCOMPARE(partsOf(mesh, Surface::closed).inconsistentCount(), 0);
+    QCOMPARE(partsOf(mesh, Surface::closed).countOf(true), 1);
   }
 
   void wallOfAHollowStaysAsItIs() {

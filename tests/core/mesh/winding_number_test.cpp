@@ -96,6 +96,37 @@ class WindingNumberTest : public QObject {
     }
   }
 
+  void decidesRightDownToAMillionthBesideTheSurface() {
+    // Differences are taken before anything is rounded to single precision, so an offset of the mesh costs no
+    // more than what its coordinates have lost already.
+    for (const double offset : {0.0, 1e8}) {
+      const Mesh mesh = test::placedAt(test::sphere(30, 60), 1.0, Vec3::Constant(offset));
+      const Triangles triangles = triangulate(mesh.positions, mesh.faces);
+      const WindingNumber fast(mesh.positions, triangles.vertices);
+      for (Index t = 0; t < triangles.size(); ++t) {
+        const auto at = [&](int k) -> Vec3 { return mesh.positions.row(triangles.vertices[3 * t + k]); };
+        const Vec3 center = at(0) + ((at(1) - at(0)) + (at(2) - at(0))) / 3.0;
+        const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+        // Coordinates at 1e8 are 1.5e-8 apart.
+        QVERIFY(fast.isInside(center - 1e-6 * normal));
+        QVERIFY(!fast.isInside(center + 1e-6 * normal));
+      }
+    }
+  }
+
+  void nearTrianglesAddUpToSinglePrecision() {
+    // What far parts of the surface leave out is more by far; the decision lies at one half.
+    const Mesh cube = test::cube();
+    const Triangles triangles = triangulate(cube.positions, cube.faces);
+    const WindingNumber fast(cube.positions, triangles.vertices);
+    const Points points = scattered(cube, 2000);
+    for (Index i = 0; i < points.rows(); ++i) {
+      const double exact = exactWindingNumber(cube.positions, triangles.vertices, points.row(i));
+      QVERIFY(std::abs(exact - std::round(exact)) < 1e-12);
+      QVERIFY(std::abs(fast.at(points.row(i)) - exact) < 1e-5);
+    }
+  }
+
   void holdsFarFromTheOriginAndAtAnySize() {
     for (const double scale : {1e-12, 1.0, 1e12}) {
       const Mesh mesh = test::placedAt(test::sphere(20, 40), scale, 1e6 * scale * Vec3(1, 2, 3));

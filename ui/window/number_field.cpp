@@ -14,6 +14,7 @@
 namespace pbffd::ui {
 namespace {
 
+constexpr int leastWidth = 48;
 constexpr double dragThreshold = 4.0;
 constexpr double fineShare = 0.1;
 
@@ -24,6 +25,8 @@ NumberField::NumberField(const Theme& theme, const Look& look, QWidget* parent)
   // A press may begin a scrub; a click gives the focus.
   setFocusPolicy(Qt::TabFocus);
   setFixedHeight(26);
+  // Three in a row fit the narrowest dock, whatever is drawn beside the numbers.
+  setMinimumWidth(leastWidth);
   const int left = (look.barToken.isEmpty() ? 0 : 6) +
                    (look.prefix.isEmpty() ? 0 : fontMetrics().horizontalAdvance(look.prefix) + 4);
   const int right = look.suffix.isEmpty() ? 0 : fontMetrics().horizontalAdvance(look.suffix) + 4;

@@ -31,6 +31,7 @@ class InspectorPanelTest : public QObject {
   void theTickEnablesAll();
   void aReasonStandsBelowABadValue();
   void influenceFollowsTheLevel();
+  void everythingFitsTheNarrowestDock();
 
  private:
   NumberField& field(const QString& name) const;
@@ -57,6 +58,13 @@ void InspectorPanelTest::cleanup() {
   panel_.reset();
   document_.reset();
   theme_.reset();
+}
+
+void InspectorPanelTest::everythingFitsTheNarrowestDock() {
+  constexpr int narrowest = 280;
+  document_->selection().replace(firstPoints(*document_, 3));
+  QVERIFY2(panel_->widget()->minimumSizeHint().width() <= narrowest,
+           qPrintable(QString::number(panel_->widget()->minimumSizeHint().width())));
 }
 
 NumberField& InspectorPanelTest::field(const QString& name) const {

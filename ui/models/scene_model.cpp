@@ -228,10 +228,11 @@ QString SceneModel::nameOf(const Place& place) const {
       return tr("Control set");
     case Row::level: {
       const int last = rows_.levelCount() - 1;
-      const QString suffix = last == 0             ? QString()
-                             : place.level == 0    ? tr(" (coarsest)")
-                             : place.level == last ? tr(" (finest)")
-                                                   : QString();
+      // Where parents or children are counted there is no room for both.
+      const QString suffix = last == 0 || relationOf(place) != Relation::none ? QString()
+                             : place.level == 0                               ? tr(" (coarsest)")
+                             : place.level == last                            ? tr(" (finest)")
+                                                                              : QString();
       return tr("Level %1").arg(place.level + 1) + suffix;
     }
     case Row::group:

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/files.h"
 #include "app/cli/output.h"
 #include "app/dataset/apply.h"
 #include "core/base/text.h"
@@ -34,7 +35,7 @@ void applyProject(const ApplyCommand& command, InterruptWatch& watch, const Prog
   for (const std::string& text : command.transports) {
     options.transports.push_back(parseTransport(text));
   }
-  const Project project = loadProject(command.project, progress).project;
+  const Project project = openProject(command.project, progress).project;
   const ApplyReport report = applyToFile(project, command.source, command.target, options, progress);
   printRemarks(report.remarks);
   print(pbffd::format("Deformed {} points{}; wrote {}.\n", grouped(report.points),

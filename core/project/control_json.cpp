@@ -185,7 +185,7 @@ void requireMembers(const Level& level, const Level& finer, const JsonReader& po
         fail(format("point {} is not on the next finer level", member));
       }
       if (parent->second != 0) {
-        fail(format("point {} is already in that of point {}", member, parent->second));
+        fail(format("point {} is named twice: point {} stands for it already", member, parent->second));
       }
       parent->second = level[i].id;
     }

@@ -170,7 +170,7 @@ class ProjectFileTest : public QObject {
     row("/levels/2/points/3/binding", "null", "has no \"binding\" to the next coarser level");
     row("/levels/0/points/3/binding", "{}", "but there is no coarser level");
     row("/levels/1/points/3/merged_from", "[9999]", "point 9999 is not on the next finer level");
-    row("/levels/1/points/3/merged_from", "[1, 1]", "point 1 is already in that of point");
+    row("/levels/1/points/3/merged_from", "[1, 1]", "point 1 is named twice: point ");
     row("/levels/1/points/3/merged_from", "\"1\"", "a list is expected");
     row("/levels/2/points/3/merged_from", "[1]", "do not fit together");
     row("/master/value", "-1", "0 or more");
@@ -201,7 +201,7 @@ class ProjectFileTest : public QObject {
       json["levels"][1]["points"][1]["merged_from"].push_back(member);
     });
     QVERIFY(contains(refusal(), "/levels/1/points/1/merged_from: the levels do not fit together: point "));
-    QVERIFY(contains(refusal(), "is already in that of point"));
+    QVERIFY(contains(refusal(), "stands for it already"));
   }
 
   void levelsThatCameOrWentAreRefused_data() {

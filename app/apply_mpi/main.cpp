@@ -58,13 +58,15 @@ int perform(Arguments& arguments, const mpi::Ranks& ranks, InterruptWatch& watch
       for (const std::string& remark : report.remarks) {
         std::fprintf(stderr, "pbffd-apply-mpi: %s\n", remark.c_str());
       }
-      std::printf("Deformed %lld points in %zu pieces on %d processes; wrote %s.\n",
+      std::printf("Deformed %lld points in %zu pieces on %d process%s; wrote %s.\n",
                   static_cast<long long>(report.points), report.pieces, ranks.count(),
-                  arguments.work.target.c_str());
+                  ranks.count() == 1 ? "" : "es", arguments.work.target.c_str());
     }
     return done;
   } catch (const mpi::OtherRankFailed&) {
     return failed;
+  } catch (const Cancelled&) {
+    return fail("Cancelled; nothing was written.");
   } catch (const std::bad_alloc&) {
     return fail("There is not enough memory for this.");
   } catch (const std::exception& error) {

@@ -3,7 +3,6 @@
 #include "app/apply_mpi/work_notes.h"
 #include "app/dataset/apply_steps.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/project/project_file.h"
 
@@ -138,9 +137,8 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWa
   const PieceShare share{static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count()),
                          [&](std::size_t piece) { notes.workingOn(piece); }};
   ApplyReport report;
-  const bool isVolume =
-      dependsOnVolumeCells(input.project) &&
-      ranks.any(together([&] { return haveVolumeCells(input.partition, share, progress); }));
+  const bool isVolume = dependsOnVolumeCells(input.project) &&
+                        ranks.any(together([&] { return haveVolumeCells(input.partition, share, progress); }));
   if (isVolume && ranks.isFirst()) {
     report.remarks.push_back(volumeCellsRemark(work.source));
   }
@@ -160,7 +158,7 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWa
       failForNoPoints(work.source);
     }
     if (first) {
-      writeFileAtomically(first->add(work.target), indexText(input.partition));
+      first->write(work.target, indexText(input.partition));
     }
     return true;
   });

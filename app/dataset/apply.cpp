@@ -1,7 +1,6 @@
 #include "app/dataset/apply.h"
 
 #include "app/dataset/apply_steps.h"
-#include "core/base/file.h"
 #include "core/mesh/io/mesh_io.h"
 
 namespace pbffd {
@@ -68,7 +67,7 @@ ApplyReport applyToPartition(const Project& project, const std::filesystem::path
   }
   report.remarks.insert(report.remarks.begin(), before.remarks.begin(), before.remarks.end());
   remarkIfStill(project, source, report);
-  writeFileAtomically(staged.add(target), indexText(partition));
+  staged.write(target, indexText(partition));
   progress.throwIfCancelled();
   staged.commit();
   return report;

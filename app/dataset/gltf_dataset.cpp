@@ -61,9 +61,9 @@ class GltfDataset : public Dataset {
     }
     const GltfDocument::Files files = document_.encode(target);
     for (const auto& [name, bytes] : files.buffers) {
-      writeFileAtomically(staged.add(target.parent_path() / name), *bytes);
+      staged.write(target.parent_path() / name, *bytes);
     }
-    writeFileAtomically(staged.add(target), unmovedBytes(carrying).value_or(files.bytes));
+    staged.write(target, unmovedBytes(carrying).value_or(files.bytes));
     return remarks(target, carrying);
   }
 

@@ -1,7 +1,6 @@
 #include "app/dataset/mesh_dataset.h"
 
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
 
@@ -35,7 +34,7 @@ class MeshDataset : public Dataset {
           "only VTK data sets have named arrays; the normals of a mesh turn by themselves. Leave "
           "--transport out.");
     }
-    writeFileAtomically(staged.add(target), encodeMesh(mesh_, deformed(carrying), format, carrying.progress));
+    staged.write(target, encodeMesh(mesh_, deformed(carrying), format, carrying.progress));
     return mesh_.remarks;
   }
 

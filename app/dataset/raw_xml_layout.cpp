@@ -150,6 +150,7 @@ class LayoutReader {
       throw Unusual();
     }
     if (!isRows || (parent != "Points" && parent != "PointData")) {
+      requireWhole(tag);
       return;
     }
     RawArray array{tag.value("Name"), type == "Float64", 0, rangesOf(t)};
@@ -163,25 +164,36 @@ class LayoutReader {
 
   /// Where an array's numbers begin, which must take so many bytes.
   std::uint64_t dataOf(const XmlTag& tag, std::uint64_t bytes) {
-    const std::uint64_t at = layout_.header.size() + static_cast<std::uint64_t>(numberOf(tag.value("offset")));
-    if (at + sizeBytes_ + bytes > layout_.fileBytes) {
-      throw InvalidInput(
-          format("Could not read {}: the array '{}' should end at byte {}, but the file ends at byte {}. It is "
-                 "cut short; "
-                 "copy or write it anew.",
-                 path_.string(), tag.value("Name"), at + sizeBytes_ + bytes, layout_.fileBytes));
-    }
-    if (bytes == 0) {
-      return at + sizeBytes_;
-    }
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(at));
-    std::string size(sizeBytes_, '\0');
-    file_.read(size.data(), static_cast<std::streamsize>(sizeBytes_));
-    if (sizeOf(size) != bytes) {
+    const Data data = requireWhole(tag);
+    if (data.bytes != bytes) {
       throw Unusual();
     }
-    return at + sizeBytes_;
+    return data.begin;
+  }
+
+  struct Data {
+    std::uint64_t begin;
+    std::uint64_t bytes;
+  };
+  /// Throws where the file ends before the array does.
+  Data requireWhole(const XmlTag& tag) {
+    const std::uint64_t at = layout_.header.size() + static_cast<std::uint64_t>(numberOf(tag.value("offset")));
+    const std::uint64_t begin = at + sizeBytes_;
+    std::uint64_t bytes = 0;
+    if (begin <= layout_.fileBytes) {
+      file_.clear();
+      file_.seekg(static_cast<std::streamoff>(at));
+      std::string size(sizeBytes_, '\0');
+      file_.read(size.data(), static_cast<std::streamsize>(sizeBytes_));
+      bytes = sizeOf(size);
+    }
+    if (begin > layout_.fileBytes || bytes > layout_.fileBytes - begin) {
+      throw InvalidInput(format(
+          "Could not read {}: the array '{}' begins at byte {} and has {} bytes, but the file ends at byte "
+          "{}. It is cut short or damaged; copy or write it anew.",
+          path_.string(), tag.value("Name"), begin, bytes, layout_.fileBytes));
+    }
+    return {begin, bytes};
   }
 
   std::uint64_t sizeOf(std::string bytes) const {

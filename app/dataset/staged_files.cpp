@@ -1,5 +1,6 @@
 #include "app/dataset/staged_files.h"
 
+#include "app/dataset/raw_file.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 
@@ -40,6 +41,12 @@ fs::path StagedFiles::add(const fs::path& target) {
   const fs::path staged = folder_ / format("{}{}{}", name_, files_.size(), target.extension().string());
   files_.push_back({staged, writeTarget(target)});
   return staged;
+}
+
+void StagedFiles::write(const fs::path& target, std::string_view bytes) {
+  RawFile file = RawFile::forWriting(add(target), target);
+  file.write(0, bytes);
+  file.close();
 }
 
 void StagedFiles::commit() {

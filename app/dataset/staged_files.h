@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace pbffd {
@@ -29,6 +30,9 @@ class StagedFiles {
 
   /// Where to write what will be `target`.
   std::filesystem::path add(const std::filesystem::path& target);
+
+  /// Writes what will be `target`. Throws IoError that names that.
+  void write(const std::filesystem::path& target, std::string_view bytes);
 
   /// Gives the files their names, in the order in which they were added; makes the folders that they need.
   /// Throws IoError that names the file.

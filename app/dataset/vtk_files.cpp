@@ -108,6 +108,34 @@ VtkFile readAnyLegacy(const std::filesystem::path& path, const Progress& progres
                    path.string(), header.dataset));
 }
 
+/// VTK 9.1, where the disk is full while it writes arrays in their place, frees what it made for appended ones
+/// alone.
+template <class Writer>
+class InPlaceSafe : public Writer {
+ public:
+  static InPlaceSafe* New() {
+    auto* made = new InPlaceSafe;
+    made->InitializeObjectBase();
+    return made;
+  }
+
+ protected:
+  void DeletePositionArrays() override {
+    if (this->GetDataMode() == vtkXMLWriter::Appended) {
+      Writer::DeletePositionArrays();
+    }
+  }
+};
+
+/// Why a file could not be written: VTK hands on what the system said, or knows of a full disk.
+std::string reasonOf(unsigned long code, const std::string& errors) {
+  if (code == vtkErrorCode::OutOfDiskSpaceError) {
+    return "there is no space left on the disk";
+  }
+  const bool isOfSystem = code > 0 && code < vtkErrorCode::FirstVTKErrorCode;
+  return isOfSystem || errors.empty() ? std::string(vtkErrorCode::GetStringFromErrorCode(code)) : errors;
+}
+
 template <class Writer>
 void run(Writer& writer, const std::filesystem::path& path, const std::filesystem::path& name,
          const Progress& progress) {
@@ -116,18 +144,15 @@ void run(Writer& writer, const std::filesystem::path& path, const std::filesyste
   const int isWritten = writer.Write();
   watch.throwIfCancelled();
   if (isWritten == 0 || writer.GetErrorCode() != 0 || !watch.errors().empty()) {
-    const unsigned long code = writer.GetErrorCode();
-    const std::string why = code == vtkErrorCode::OutOfDiskSpaceError ? "there is no space left on the disk"
-                            : !watch.errors().empty()                 ? watch.errors()
-                                                      : std::string(vtkErrorCode::GetStringFromErrorCode(code));
-    throw IoError(format("Could not write {}: {}. Make room, or choose another place.", name.string(), why));
+    throw IoError(format("Could not write {}: {}. Make room, or choose another place.", name.string(),
+                         reasonOf(writer.GetErrorCode(), watch.errors())));
   }
 }
 
 template <class Writer>
 void writeXml(const VtkFile& file, const std::filesystem::path& path, const std::filesystem::path& name,
               const Progress& progress) {
-  const vtkNew<Writer> writer;
+  const vtkNew<InPlaceSafe<Writer>> writer;
   writer->SetInputData(file.data);
   if (file.xml.byteOrder == "BigEndian") {
     writer->SetByteOrderToBigEndian();

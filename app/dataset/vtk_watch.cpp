@@ -115,7 +115,7 @@ void VtkWatch::hear(bool isError, std::string_view text) {
   if (isError || text.find("rror ") != std::string_view::npos) {
     const bool isEcho = text.find("returned failure for request") != std::string_view::npos;
     if (!isEcho || errors_.empty()) {
-      errors_.push_back(isEcho ? "it could not be read" : essence(text));
+      errors_.push_back(isEcho ? "VTK could not do it" : essence(text));
     }
   } else {
     warnings_.push_back(essence(text));

@@ -70,9 +70,12 @@ class Files {
 };
 
 const Files& files(Mode mode) {
-  static const Files ofRaw(raw);
+  if (mode == raw) {
+    static const Files ofRaw(raw);
+    return ofRaw;
+  }
   static const Files ofDefault(asVtkDoesByDefault);
-  return mode == raw ? ofRaw : ofDefault;
+  return ofDefault;
 }
 
 /// 200 points about a sphere, every one moved.

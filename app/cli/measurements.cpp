@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/ffd/deform/deformation.h"
+#include "core/ffd/weights/large_array.h"
 #include "core/mesh/spread.h"
 #include "core/mesh/voronoi.h"
 
@@ -53,12 +54,13 @@ double medianSeconds(const Progress& progress, const std::function<void()>& work
       progress, [] {}, work);
 }
 
-/// STREAM's triad, a = b + s c, on all cores, with arrays far larger than the caches.
+/// STREAM's triad, a = b + s c, on all cores, with arrays far larger than the caches, in the same kind of
+/// memory as the weights.
 double measureTriad(const Progress& progress) {
   constexpr std::size_t count = std::size_t{1} << 24;
-  std::vector<float> a(count, 0.0F);
-  const std::vector<float> b(count, 1.0F);
-  const std::vector<float> c(count, 2.0F);
+  LargeArray<float> a(count, 0.0F);
+  const LargeArray<float> b(count, 1.0F);
+  const LargeArray<float> c(count, 2.0F);
   const double seconds = medianSeconds(progress, [&] {
     parallelFor(count, count / 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {

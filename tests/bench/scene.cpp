@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace pbffd::bench {
@@ -105,6 +106,36 @@ void useMesh(const std::string& file) {
 Scene& theScene() {
   static Scene scene = makeScene();
   return scene;
+}
+
+std::shared_ptr<const Parameterization> sharedWeights(Scene& scene) {
+  scene.setReach(Reach::all);
+  return std::make_shared<const Parameterization>(scene.weights());
+}
+
+LevelMaps movedMaps(const Scene& scene, bool turned, double amount) {
+  LevelMaps maps = mapsOf(scene.set, scene.set.finest());
+  for (std::size_t j = 0; j < maps.points.size(); ++j) {
+    const double angle = 0.1 * amount * static_cast<double>(1 + j % 7);
+    maps.points[j].col(3) += amount * Vec3(std::sin(angle), 0.01, -0.02) * scene.mesh->diagonal();
+    if (turned) {
+      maps.points[j].leftCols<2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle), 0, 0;
+    }
+  }
+  return maps;
+}
+
+double fullPassSeconds(Scene& scene, bool turned) {
+  LiveDeformation live(scene.mesh, sharedWeights(scene));
+  const LevelMaps maps[2] = {movedMaps(scene, turned, 0.1), movedMaps(scene, turned, 0.2)};
+  std::vector<double> seconds;
+  for (int i = 0; i < 51; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    live.updatePositions(maps[i % 2]);
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + 25, seconds.end());
+  return seconds[25];
 }
 
 double triadBytesPerSecond() {

@@ -25,6 +25,15 @@ Scene& theScene();
 /// The file to take instead of the sphere; to be called before theScene().
 void useMesh(const std::string& file);
 
+/// Weights with `reach` all.
+std::shared_ptr<const Parameterization> sharedWeights(Scene& scene);
+
+/// Every control point moved by a little, one way or the other; turned too where asked for.
+LevelMaps movedMaps(const Scene& scene, bool turned, double amount);
+
+/// Of a full pass over the positions after all points moved: the median of some.
+double fullPassSeconds(Scene& scene, bool turned);
+
 /// Bytes a second of STREAM's triad, a = b + s c, on all cores, with arrays far larger than the caches.
 double triadBytesPerSecond();
 

@@ -191,25 +191,32 @@ void Document::commitPreview() {
 }
 
 void Document::cancelPreview() {
-  waitingPreview_.reset();
-  if (!preview_) {
-    return;
-  }
   const Project before = shown();
-  preview_.reset();
+  if (dropPreview()) {
+    show(before, true);
+    Q_EMIT previewEnded();
+  }
+}
+
+/// Returns whether there was one.
+bool Document::dropPreview() {
+  waitingPreview_.reset();
   previewEdit_.reset();
-  show(before, true);
+  const bool wasPreviewing = preview_.has_value();
+  preview_.reset();
+  return wasPreviewing;
 }
 
 void Document::setCommitted(const Project& project) {
   if (!shownBefore_) {
     shownBefore_ = shown();
   }
-  preview_.reset();
-  previewEdit_.reset();
-  waitingPreview_.reset();
+  const bool wasPreviewing = dropPreview();
   committed_ = project;
   ++revision_;
+  if (wasPreviewing) {
+    Q_EMIT previewEnded();
+  }
 }
 
 void Document::showCommitted() {
@@ -246,10 +253,20 @@ void Document::refreshDeformation(bool measured) {
     measured = false;
   }
   ready_ = {};
-  const Index moved = deformation_->update(mapsOf(project.controls, project.controls.finest()));
+  const Index moved = deformation_->updatePositions(mapsOf(project.controls, project.controls.finest()));
+  if (!normalsWait_) {
+    deformation_->updateNormals();
+  }
   if (measured) {
     lastMovedVertices_ = moved;
     lastMilliseconds_ = 1e-6 * static_cast<double>(timer.nsecsElapsed());
+  }
+}
+
+void Document::setNormalsWait(bool wait) {
+  normalsWait_ = wait;
+  if (!wait && deformation_) {
+    deformation_->updateNormals();
   }
 }
 

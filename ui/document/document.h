@@ -94,6 +94,9 @@ class Document : public QObject {
 
   /// The deformed mesh of `shown()`, up to date. Null when nothing is open or the weights are not there yet.
   const LiveDeformation* deformation() const { return deformation_.get(); }
+  /// While `wait`, changes leave the normals of deformation() as they are: for a drag, when the view takes
+  /// those that it needs itself. Not waiting any more brings them up to date.
+  void setNormalsWait(bool wait);
   /// Of the last update of the deformation.
   double lastMilliseconds() const { return lastMilliseconds_; }
   Index lastMovedVertices() const { return lastMovedVertices_; }
@@ -116,6 +119,8 @@ class Document : public QObject {
   /// What was done, for the record.
   void informed(const QString& message);
   void placed();
+  /// What is shown is what the history holds again.
+  void previewEnded();
 
  private:
   friend class ChangeProject;
@@ -137,6 +142,7 @@ class Document : public QObject {
   void push(const Edit& edit, const EditResult& result, const EditOptions& options);
   bool applyPreview(const Edit& edit);
   bool flushPreview();
+  bool dropPreview();
   void followSelection(const Project& before);
   void selectEdited();
 
@@ -152,6 +158,7 @@ class Document : public QObject {
   std::shared_ptr<const Parameterization> parameterization_;
   std::unique_ptr<LiveDeformation> deformation_;
   ReadyDeformation ready_;
+  bool normalsWait_ = false;
   QUndoStack* history_;
   Selection* selection_;
   JobRunner* jobs_;

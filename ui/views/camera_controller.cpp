@@ -19,13 +19,16 @@ constexpr double degreesPerKey = 15.0;
 /// A notch of the wheel is 120.
 constexpr double zoomPerWheelUnit = 0.0012;
 constexpr double zoomPerPixel = 0.006;
-constexpr qint64 wheelPauseMilliseconds = 400;
+constexpr int wheelPauseMilliseconds = 400;
 
 }  // namespace
 
 CameraController::CameraController(Viewport& viewport, ViewState& view)
     : QObject(&viewport), viewport_(viewport), view_(view) {
   viewport.surface()->installEventFilter(this);
+  wheelPause_.setSingleShot(true);
+  wheelPause_.setInterval(wheelPauseMilliseconds);
+  connect(&wheelPause_, &QTimer::timeout, this, &CameraController::stopped);
 }
 
 bool CameraController::eventFilter(QObject*, QEvent* event) {
@@ -100,16 +103,15 @@ bool CameraController::release(const QMouseEvent& event) {
     return false;
   }
   drag_ = Drag::none;
+  Q_EMIT stopped();
   return true;
 }
 
 void CameraController::zoomAt(const QPointF& position, double factor) {
-  const bool goesOn =
-      wheelTime_.isValid() && wheelTime_.elapsed() < wheelPauseMilliseconds && wheelAt_ == position;
-  if (!goesOn) {
+  if (!wheelPause_.isActive() || wheelAt_ != position) {
     pivot_ = pivotAt(position);
   }
-  wheelTime_.start();
+  wheelPause_.start();
   wheelAt_ = position;
   Camera camera = viewport_.camera();
   camera.zoom(pivot_, factor);
@@ -125,6 +127,8 @@ bool CameraController::wheel(const QWheelEvent& event) {
   if (isTrackpad && !event.modifiers().testFlag(Qt::ControlModifier)) {
     const QPointF by =
         event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 4.0 : QPointF(event.pixelDelta());
+    wheelPause_.start();
+    wheelAt_ = {-1.0, -1.0};  // a zoom right after it takes a pivot of its own
     viewport_.orbitBy(-degreesPerPixel * by.x(), degreesPerPixel * by.y());
     return true;
   }

@@ -2,9 +2,9 @@
 
 #include "core/base/types.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QPointF>
+#include <QTimer>
 
 class QInputEvent;
 class QKeyEvent;
@@ -28,6 +28,13 @@ class CameraController : public QObject {
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
+  /// Whether the camera is being dragged, or was turned by the wheel a moment ago.
+  bool isMoving() const { return drag_ != Drag::none || wheelPause_.isActive(); }
+
+ Q_SIGNALS:
+  /// isMoving() no longer holds.
+  void stopped();
+
  private:
   enum class Drag { none, orbit, pan, zoom };
 
@@ -48,7 +55,7 @@ class CameraController : public QObject {
   QPointF last_;
   Vec3 pivot_ = Vec3::Zero();
   /// While the wheel turns over one place, what it zooms to stays.
-  QElapsedTimer wheelTime_;
+  QTimer wheelPause_;
   QPointF wheelAt_;
 };
 

@@ -54,18 +54,32 @@ void clearData(vtkPolyData& data) {
   data.Modified();
 }
 
+/// Positions and normals; both are borrowed.
+void setFloats(vtkPolyData& data, const SurfaceBuffers& buffers) {
+  data.SetPoints(borrowedPoints(*buffers.positions));
+  data.GetPointData()->SetNormals(borrowedArray(*buffers.normals, 3, "Normals"));
+}
+
+void markFloats(vtkPolyData& data) {
+  data.GetPoints()->GetData()->Modified();
+  data.GetPoints()->Modified();
+  data.GetPointData()->GetNormals()->Modified();
+}
+
 }  // namespace
 
 MeshActor::MeshActor(vtkRenderer& renderer) {
   useShaders(*surface_, *surfaceMapper_, shaders::meshVertex, shaders::meshFragment);
   surfaceMapper_->SetInputData(surfaceData_);
+  useShaders(*standIn_, *standInMapper_, shaders::meshVertex, shaders::meshFragment);
+  standInMapper_->SetInputData(standInData_);
   useShaders(*edges_, *edgeMapper_, shaders::edgeVertex, shaders::flatFragment);
   edgeMapper_->SetInputData(edgeData_);
   edgeMapper_->MapDataArrayToVertexAttribute("edgeLength", "length", vtkDataObject::FIELD_ASSOCIATION_POINTS);
   edgeMapper_->setDepth(PassMapper::DepthTest::inFront, false);
   useShaders(*vertices_, *vertexMapper_, shaders::flatVertex, shaders::flatFragment);
   vertexMapper_->SetInputData(vertexData_);
-  for (vtkActor* actor : {surface_.Get(), edges_.Get(), vertices_.Get()}) {
+  for (vtkActor* actor : {surface_.Get(), standIn_.Get(), edges_.Get(), vertices_.Get()}) {
     actor->VisibilityOff();
     renderer.AddActor(actor);
   }
@@ -86,7 +100,9 @@ void MeshActor::setMesh(std::shared_ptr<const RestMesh> mesh, const SurfaceBuffe
 
 void MeshActor::clear() {
   hasEdges_ = false;
+  isStoodIn_ = false;
   clearData(*surfaceData_);
+  clearData(*standInData_);
   clearData(*edgeData_);
   clearData(*vertexData_);
   points_ = nullptr;
@@ -96,6 +112,7 @@ void MeshActor::clear() {
 /// Cells and edges stay where they are of the same mesh.
 void MeshActor::setBuffers(const SurfaceBuffers& buffers) {
   const bool isFirst = points_ == nullptr;
+  movedUnseen_ = false;
   points_ = borrowedPoints(*buffers.positions);
   if (isFirst) {
     roughEdgeLength_ = roughEdgeLength(*mesh_);
@@ -119,7 +136,8 @@ void MeshActor::setBuffers(const SurfaceBuffers& buffers) {
 }
 
 void MeshActor::positionsChanged() {
-  if (points_ == nullptr) {
+  movedUnseen_ = isStoodIn_;
+  if (points_ == nullptr || isStoodIn_) {
     return;
   }
   points_->GetData()->Modified();
@@ -127,6 +145,31 @@ void MeshActor::positionsChanged() {
   if (normals_ != nullptr) {
     normals_->Modified();
   }
+}
+
+void MeshActor::setStandIn(const SurfaceBuffers& buffers) {
+  clearData(*standInData_);
+  if (buffers.positions == nullptr) {
+    showStandIn(false);
+    return;
+  }
+  setFloats(*standInData_, buffers);
+  standInData_->SetPolys(cellsOf(*buffers.triangles, 3));
+}
+
+void MeshActor::standInMoved() {
+  markFloats(*standInData_);
+}
+
+void MeshActor::showStandIn(bool shown) {
+  if (shown == isStoodIn_) {
+    return;
+  }
+  isStoodIn_ = shown;
+  if (movedUnseen_) {
+    positionsChanged();
+  }
+  updateActors();
 }
 
 void MeshActor::setColors(const Colors& colors) {
@@ -171,12 +214,17 @@ void MeshActor::makeEdges() {
 
 void MeshActor::updateActors() {
   const bool isSeeThrough = mode_ == DisplayMode::seeThrough;
-  surfaceMapper_->setUniform("meshColor", isSeeThrough ? colors_.seeThrough : colors_.surface);
-  surface_->SetForceOpaque(!isSeeThrough);
-  surface_->SetForceTranslucent(isSeeThrough);
-  surface_->SetVisibility(isVisible_ && surfaceData_->GetNumberOfPoints() > 0);
+  for (PassMapper* mapper : {surfaceMapper_.Get(), standInMapper_.Get()}) {
+    mapper->setUniform("meshColor", isSeeThrough ? colors_.seeThrough : colors_.surface);
+  }
+  for (vtkActor* actor : {surface_.Get(), standIn_.Get()}) {
+    actor->SetForceOpaque(!isSeeThrough);
+    actor->SetForceTranslucent(isSeeThrough);
+  }
+  surface_->SetVisibility(isVisible_ && !isStoodIn_ && surfaceData_->GetNumberOfPoints() > 0);
+  standIn_->SetVisibility(isVisible_ && isStoodIn_);
   vertices_->SetVisibility(isVisible_ && vertexData_->GetNumberOfPoints() > 0);
-  const bool edgesSeen = isVisible_ && areEdgesSeen();
+  const bool edgesSeen = isVisible_ && !isStoodIn_ && areEdgesSeen();
   if (edgesSeen && !hasEdges_) {
     makeEdges();
   }

@@ -36,8 +36,15 @@ class MeshActor {
 
   /// Null: nothing is drawn. The buffers must live until the next call.
   void setMesh(std::shared_ptr<const RestMesh> mesh, const SurfaceBuffers& buffers);
-  /// The floats in the buffers changed: they alone go to the graphics card again.
+  /// The floats in the buffers changed: they alone go to the graphics card again, and while a stand-in is shown
+  /// not before the mesh is seen again.
   void positionsChanged();
+
+  /// A coarse mesh that can be shown in place of the whole, without edges. Null buffers: none. The buffers must
+  /// live until the next call.
+  void setStandIn(const SurfaceBuffers& buffers);
+  void standInMoved();
+  void showStandIn(bool shown);
 
   struct Colors {
     Rgba surface{};
@@ -62,6 +69,9 @@ class MeshActor {
   vtkNew<PassMapper> surfaceMapper_;
   vtkNew<vtkActor> surface_;
   vtkNew<vtkPolyData> surfaceData_;
+  vtkNew<PassMapper> standInMapper_;
+  vtkNew<vtkActor> standIn_;
+  vtkNew<vtkPolyData> standInData_;
   vtkNew<PassMapper> edgeMapper_;
   vtkNew<vtkActor> edges_;
   vtkNew<vtkPolyData> edgeData_;
@@ -76,6 +86,8 @@ class MeshActor {
   DisplayMode mode_ = DisplayMode::wire;
   bool isVisible_ = true;
   bool hasEdges_ = false;
+  bool isStoodIn_ = false;
+  bool movedUnseen_ = false;  ///< while it was stood in for
   double pixelsPerUnitNearest_ = 0.0;
   double roughEdgeLength_ = 0.0;
 };

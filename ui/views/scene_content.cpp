@@ -81,6 +81,7 @@ bool SceneContent::bringUpToDate(Scene& scene) {
 }
 
 void SceneContent::updateSurface(Scene& scene) {
+  surfaceRevision_ += hasOtherBuffers_ || (stale_ & positions) != 0 ? 1 : 0;
   if (std::exchange(hasOtherBuffers_, false)) {
     scene.mesh().setMesh(surface_.mesh(), surface_.buffers());
     if (hasOtherMesh_) {

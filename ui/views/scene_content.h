@@ -40,6 +40,8 @@ class SceneContent {
   /// What view space is relative to, in mesh units.
   const Vec3& origin() const { return surface_.origin(); }
   const SurfaceStore& surface() const { return surface_; }
+  /// Another number whenever the surface's buffers, or what is in them, are others.
+  unsigned surfaceRevision() const { return surfaceRevision_; }
   /// In mesh units.
   Extent extent() const;
   /// The points of the edit level that can be picked, in mesh units.
@@ -66,6 +68,7 @@ class SceneContent {
   const Theme& theme_;
   SurfaceStore surface_;
   unsigned stale_ = everything;
+  unsigned surfaceRevision_ = 0;
   bool hasOtherBuffers_ = true;
   bool hasOtherMesh_ = true;
   bool hasGhost_ = false;  ///< made when it is first seen

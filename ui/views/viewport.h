@@ -87,12 +87,20 @@ class Viewport : public QWidget {
   };
   void setReadOut(const ReadOut& readOut);
 
+  /// Whether a coarse stand-in is drawn, because the whole mesh is too slow to be dragged.
+  bool isSimplified() const;
+  /// Whether one is ready to be drawn in the next drag.
+  bool canSimplify() const;
+  /// Seconds that a frame of a drag may take before a stand-in is drawn; by default 1/30.
+  void setFrameBudget(double seconds);
+
   /// The distance between the lines of the ground grid.
   double gridSpacing() const;
 
  Q_SIGNALS:
   void cameraChanged();
   void rendered();
+  void simplifiedChanged(bool isSimplified);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

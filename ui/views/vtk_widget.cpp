@@ -1,5 +1,6 @@
 #include "ui/views/vtk_widget.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
@@ -64,6 +65,8 @@ void VtkWidget::paintGL() {
   if (!window_->GetReadyForRendering()) {
     return;
   }
+  QElapsedTimer timer;
+  timer.start();
   resizeGL(width(), height());  // a move to another screen changes the ratio without a resize
   Q_EMIT aboutToRender();
   window_->GetState()->Reset();
@@ -74,7 +77,9 @@ void VtkWidget::paintGL() {
   copyFrame();
   window_->GetState()->Pop();
   context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  Q_EMIT rendered();
+  // Else the time would only be that of handing the work over.
+  context()->functions()->glFinish();
+  Q_EMIT rendered(1e-9 * static_cast<double>(timer.nsecsElapsed()));
 }
 
 void VtkWidget::copyFrame() {

@@ -25,7 +25,8 @@ class VtkWidget : public QOpenGLWidget {
  Q_SIGNALS:
   /// Right before a frame: the time to bring the scene up to date.
   void aboutToRender();
-  void rendered();
+  /// After it; `seconds`: from aboutToRender() until the graphics card was done with it.
+  void rendered(double seconds);
 
  protected:
   void initializeGL() override;

@@ -101,6 +101,8 @@ void MainWindow::makeCentre() {
   overlays_ = new ViewOverlays(*viewport_, {*actions_, document_, view_, theme_}, viewport_);
   errorBar_ = new ErrorBar(theme_, centre_);
   centre_->installEventFilter(this);
+  // Not in the middle of a frame, which is when it is decided.
+  connect(viewport_, &Viewport::simplifiedChanged, status_, &StatusLine::setSimplified, Qt::QueuedConnection);
   connect(errorBar_, &ErrorBar::sizeChanged, this, &MainWindow::arrangeErrorBar);
   connect(startPage_, &StartPage::openAsked, this, &MainWindow::openFile);
 }

@@ -25,6 +25,7 @@ StatusLine::StatusLine(Document& document, const Theme& theme, QWidget* parent)
       hints_(new QWidget),
       hintRow_(new QHBoxLayout(hints_)),
       progress_(makeProgress()),
+      simplified_(makeLabel(tr("Simplified while dragging"), "label")),
       selection_(makeLabel({}, "label")),
       vertices_(makeLabel({}, "label")),
       milliseconds_(makeLabel({}, "label")) {
@@ -34,10 +35,13 @@ StatusLine::StatusLine(Document& document, const Theme& theme, QWidget* parent)
   addWidget(hints_);
   addWidget(progress_);
   progress_->hide();
-  for (QLabel* label : {selection_, vertices_, milliseconds_}) {
+  for (QLabel* label : {simplified_, selection_, vertices_, milliseconds_}) {
     label->setContentsMargins(8, 0, 8, 0);
     addPermanentWidget(label);
   }
+  simplified_->setObjectName("simplified");
+  simplified_->setToolTip(tr("Drawing the whole mesh takes too long for a drag; it is back when you let go"));
+  simplified_->hide();
   milliseconds_->setToolTip(tr("The last deformation"));
   showTimer_.setSingleShot(true);
   showTimer_.setInterval(showAfterMilliseconds);
@@ -107,6 +111,10 @@ void StatusLine::setHint(const QString& hint) {
     hint_ = hint;
     rebuildHint();
   }
+}
+
+void StatusLine::setSimplified(bool isSimplified) {
+  simplified_->setVisible(isSimplified);
 }
 
 void StatusLine::rebuildHint() {

@@ -24,6 +24,8 @@ class StatusLine : public QStatusBar {
   /// Keys stand in square brackets: "Moving along Y  [Shift] precise  [Esc] cancel".
   void setHint(const QString& hint);
   QString hint() const { return hint_; }
+  /// Says that a coarse mesh stands in for the true one.
+  void setSimplified(bool isSimplified);
 
  private:
   QWidget* makeProgress();
@@ -41,6 +43,7 @@ class StatusLine : public QStatusBar {
   QProgressBar* bar_;
   QLabel* timeLeft_;
   QPushButton* cancel_;
+  QLabel* simplified_;
   QLabel* selection_;
   QLabel* vertices_;
   QLabel* milliseconds_;

@@ -144,6 +144,9 @@ void LiveDeformation::State::evaluate(const std::vector<Index>& blocks) {
 }
 
 void LiveDeformation::State::turnNormals() {
+  if (withOldNormals.empty()) {
+    return;
+  }
   const bool isAll = withOldNormals.size() == static_cast<std::size_t>(slots.blockCount());
   const std::vector<Index> around = isAll ? std::move(withOldNormals) : slots.blocksAround(withOldNormals);
   withOldNormals.clear();

@@ -11,6 +11,7 @@
 #include "ui/window/start_page.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
@@ -60,6 +61,7 @@ class MainWindowTest : public QObject {
   void treeAndSelectionAreOne();
   void theEditLevelIsAKey();
   void themesSwitchLive();
+  void theStatusTellsWhenTheMeshIsSimplified();
   void panesAreReachedByF6();
   void docksHideAndComeBack();
   void dropsAreTakenOrRefused();
@@ -290,6 +292,15 @@ void MainWindowTest::themesSwitchLive() {
   const QColor dark = window().grab().toImage().pixelColor(window().width() - 3, window().height() - 3);
   QVERIFY(light.lightness() > 200);
   QVERIFY(dark.lightness() < 60);
+}
+
+void MainWindowTest::theStatusTellsWhenTheMeshIsSimplified() {
+  auto* label = window().findChild<QLabel*>("simplified");
+  QVERIFY(label != nullptr && !label->isVisible());
+  Q_EMIT window().viewport().simplifiedChanged(true);
+  QTRY_VERIFY(label->isVisible());
+  Q_EMIT window().viewport().simplifiedChanged(false);
+  QTRY_VERIFY(!label->isVisible());
 }
 
 void MainWindowTest::panesAreReachedByF6() {

@@ -192,6 +192,19 @@ std::vector<Index> Clustering::standIns() const {
   return best;
 }
 
+/// A triangle may be turned over where the vertices that stand for its clusters lie in another order than the
+/// clusters do: it would be seen from behind, as a dark speck.
+bool isTurnedAgainstItsVertices(const RestMesh& mesh, const Corners& corners) {
+  const Vec3 first = mesh.positions().row(corners[0]);
+  const Vec3 across = (mesh.positions().row(corners[1]).transpose() - first)
+                          .cross(mesh.positions().row(corners[2]).transpose() - first);
+  Vec3 normals = Vec3::Zero();
+  for (const Index corner : corners) {
+    normals += mesh.normals().row(corner);
+  }
+  return across.dot(normals) < 0.0;
+}
+
 /// The vertices that are used, and the corners by their places among them.
 CoarseMesh compact(const RestMesh& mesh, std::vector<Index> corners) {
   std::vector<Index> place(static_cast<std::size_t>(mesh.vertexCount()), -1);
@@ -273,9 +286,9 @@ CoarseMesh coarseMesh(const RestMesh& mesh, Index mostTriangles, const Progress&
   std::vector<Index> corners;
   corners.reserve(3 * found.triangles.size());
   for (const Corners& triangle : found.triangles) {
-    for (const Index cluster : triangle) {
-      corners.push_back(standIns[cluster]);
-    }
+    const Corners vertices{standIns[triangle[0]], standIns[triangle[1]], standIns[triangle[2]]};
+    const bool isFolded = isTurnedAgainstItsVertices(mesh, vertices);
+    corners.insert(corners.end(), {vertices[0], vertices[isFolded ? 2 : 1], vertices[isFolded ? 1 : 2]});
   }
   return compact(mesh, std::move(corners));
 }

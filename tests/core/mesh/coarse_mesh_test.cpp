@@ -112,6 +112,29 @@ class CoarseMeshTest : public QObject {
     QVERIFY(std::abs(volumeOf(mesh, coarse) - 8.0) < 1e-3);
   }
 
+  void trianglesFaceAsTheirVerticesDo() {
+    // Waves a little longer than the cells: some clusters and the vertices that stand for them lie in another
+    // order.
+    Mesh rough = test::sphere(200, 401);
+    for (Index v = 0; v < rough.vertexCount(); ++v) {
+      const Vec3 at = rough.positions.row(v);
+      rough.positions.row(v) *= 1.0 + 0.02 * std::sin(40.0 * at.x()) * std::sin(37.0 * at.y() + 29.0 * at.z());
+    }
+    const RestMesh mesh(rough);
+    const CoarseMesh coarse = coarseMesh(mesh, 8000);
+    const auto vertex = [&](std::size_t c) { return coarse.vertices[coarse.triangles[c]]; };
+    const auto at = [&](std::size_t c) -> Vec3 { return mesh.positions().row(vertex(c)); };
+    for (std::size_t c = 0; c < coarse.triangles.size(); c += 3) {
+      const Vec3 across = (at(c + 1) - at(c)).cross(at(c + 2) - at(c));
+      Vec3 normals = Vec3::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        normals += mesh.normals().row(vertex(c + k));
+      }
+      QVERIFY(across.dot(normals) >= 0.0);
+    }
+    QVERIFY(std::abs(volumeOf(mesh, coarse) / (4.0 / 3.0 * M_PI) - 1.0) < 0.03);
+  }
+
   void nearSurfacesDoNotMerge() {
     // Two spheres, one just inside the other: cells hold vertices of both.
     const Mesh outer = test::sphere(80, 161);

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace pbffd {
 
@@ -17,6 +18,14 @@ void parallelFor(std::size_t count, std::size_t grain,
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+void onThisThreadAlone(const std::function<void()>& work) {
+  tbb::task_arena(1).execute(work);
+}
+
+void isolated(const std::function<void()>& work) {
+  tbb::this_task_arena::isolate(work);
 }
 
 int threadCount() {

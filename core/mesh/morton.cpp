@@ -16,7 +16,7 @@ std::vector<Index> mortonOrderOf(const Points& points, const Bounds& bounds) {
       codes[i] = {code(points.row(row).transpose().cwiseMax(bounds.low).cwiseMin(bounds.high)), row};
     }
   });
-  std::sort(codes.begin(), codes.end());
+  parallelSort(codes);
   std::vector<Index> order(codes.size());
   std::transform(codes.begin(), codes.end(), order.begin(), [](const auto& one) { return one.second; });
   return order;

@@ -13,7 +13,7 @@ namespace {
 
 /// What nanoflann asks of a set of points.
 struct Cloud {
-  Points points;
+  const Points& points;
 
   std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points.rows()); }
   double kdtree_get_pt(std::size_t row, std::size_t axis) const {
@@ -94,14 +94,24 @@ class AllWithin {
 }  // namespace
 
 struct NearestPoints::Tree {
+  Points own;
   Cloud cloud;
   KdTree index;
 
-  explicit Tree(const Points& points)
-      : cloud{points}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
+  explicit Tree(Points copied) : own(std::move(copied)), cloud{own}, index(3, cloud, parameters()) {}
+  explicit Tree(const Points* kept) : cloud{*kept}, index(3, cloud, parameters()) {}
+
+ private:
+  static nanoflann::KDTreeSingleIndexAdaptorParams parameters() {
+    return nanoflann::KDTreeSingleIndexAdaptorParams(16);
+  }
 };
 
-NearestPoints::NearestPoints(const Points& points) : tree_(std::make_unique<Tree>(points)) {}
+NearestPoints::NearestPoints(const Points& points) : tree_(std::make_unique<Tree>(Points(points))) {}
+NearestPoints::NearestPoints(std::unique_ptr<Tree> tree) : tree_(std::move(tree)) {}
+NearestPoints NearestPoints::over(const Points& points) {
+  return NearestPoints(std::make_unique<Tree>(&points));
+}
 NearestPoints::~NearestPoints() = default;
 NearestPoints::NearestPoints(NearestPoints&&) noexcept = default;
 NearestPoints& NearestPoints::operator=(NearestPoints&&) noexcept = default;

@@ -7,10 +7,13 @@
 
 namespace pbffd {
 
-/// A kd-tree over points: the only user of nanoflann. Copies the points.
+/// A kd-tree over points: the only user of nanoflann.
 class NearestPoints {
  public:
+  /// Copies the points.
   explicit NearestPoints(const Points& points);
+  /// Keeps a reference to points that live as long and stay as they are.
+  static NearestPoints over(const Points& points);
   ~NearestPoints();
   NearestPoints(NearestPoints&&) noexcept;
   NearestPoints& operator=(NearestPoints&&) noexcept;
@@ -31,6 +34,8 @@ class NearestPoints {
 
  private:
   struct Tree;
+  explicit NearestPoints(std::unique_ptr<Tree> tree);
+
   std::unique_ptr<Tree> tree_;
 };
 

@@ -1,30 +1,11 @@
 #include "core/mesh/rest_mesh.h"
 
+#include "core/base/lazy.h"
 #include "core/mesh/morton.h"
 
-#include <mutex>
-#include <optional>
 #include <utility>
 
 namespace pbffd {
-namespace {
-
-/// A value made when first asked for, by whichever thread comes first.
-template <class Value>
-class Lazy {
- public:
-  template <class Make>
-  const Value& get(Make&& make) {
-    std::call_once(once_, [&] { value_.emplace(make()); });
-    return *value_;
-  }
-
- private:
-  std::once_flag once_;
-  std::optional<Value> value_;
-};
-
-}  // namespace
 
 struct RestMesh::Derived {
   Lazy<Triangles> triangles;
@@ -61,7 +42,7 @@ const BlockGraph& RestMesh::blockGraph() const {
 }
 
 const NearestPoints& RestMesh::nearestVertex() const {
-  return derived_->nearest.get([&] { return NearestPoints(mesh_.positions); });
+  return derived_->nearest.get([&] { return NearestPoints::over(mesh_.positions); });
 }
 
 const std::vector<Index>& RestMesh::mortonOrder() const {

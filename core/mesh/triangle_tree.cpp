@@ -38,7 +38,7 @@ std::vector<Index> inMortonOrder(const Points& positions, const std::vector<Inde
       order[t] = {code(center.cwiseMax(bounds.low).cwiseMin(bounds.high)), static_cast<Index>(t)};
     }
   });
-  std::sort(order.begin(), order.end());
+  parallelSort(order);
   std::vector<Index> sorted;
   sorted.reserve(corners.size());
   for (const auto& [key, t] : order) {

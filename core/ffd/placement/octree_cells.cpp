@@ -1,5 +1,6 @@
 #include "core/ffd/placement/octree_cells.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/morton.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ std::vector<Code> sortedCodes(const Points& points, const std::vector<Index>& gr
     const Vec3 point = points.row(static_cast<Index>(i));
     codes[i] = {groups.empty() ? 0 : groups[i], code(point), static_cast<Index>(i)};
   }
-  std::sort(codes.begin(), codes.end());
+  parallelSort(codes);
   return codes;
 }
 

@@ -1,5 +1,8 @@
 #include "core/mesh/surface_graph.h"
 
+#include "core/base/parallel.h"
+#include "core/mesh/edge_list.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,7 +20,7 @@ std::vector<Index> weld(const Points& positions) {
     const double key = at[0] + 0.7548776662466927 * at[1] + 0.5698402909980532 * at[2];
     order[v] = {std::isfinite(key) ? key : 0.0, static_cast<Index>(v)};
   }
-  std::sort(order.begin(), order.end());
+  parallelSort(order);
   std::vector<Index> representative(order.size());
   std::iota(representative.begin(), representative.end(), 0);
   for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
@@ -57,31 +60,21 @@ SurfaceGraph::SurfaceGraph(const Mesh& mesh) : representative_(weld(mesh.positio
 }
 
 void SurfaceGraph::joinAlongEdges(const Polygons& faces) {
-  // Counted, filled in, and each list sorted: an edge of two faces comes twice.
-  const std::size_t count = representative_.size();
-  offsets_.assign(count + 1, 0);
-  forEachEdge(faces, representative_, [&](Index a, Index b) {
-    ++offsets_[a + 1];
-    ++offsets_[b + 1];
+  const auto count = static_cast<Index>(representative_.size());
+  const EdgeList edges(count, [&](const auto& visit) { forEachEdge(faces, representative_, visit); });
+  offsets_.assign(representative_.size() + 1, 0);
+  edges.forEach([&](Index low, Index high, Index) {
+    ++offsets_[low + 1];
+    ++offsets_[high + 1];
   });
   std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-  neighbours_.resize(static_cast<std::size_t>(offsets_[count]));
+  neighbours_.resize(static_cast<std::size_t>(offsets_.back()));
+  // A vertex meets its lower neighbours first, in their order, and when its turn comes the higher ones.
   std::vector<Index> next(offsets_.begin(), offsets_.end() - 1);
-  forEachEdge(faces, representative_, [&](Index a, Index b) {
-    neighbours_[next[a]++] = b;
-    neighbours_[next[b]++] = a;
+  edges.forEach([&](Index low, Index high, Index) {
+    neighbours_[next[low]++] = high;
+    neighbours_[next[high]++] = low;
   });
-  Index kept = 0;
-  for (std::size_t v = 0; v < count; ++v) {
-    const auto begin = neighbours_.begin() + offsets_[v];
-    const auto end = neighbours_.begin() + offsets_[v + 1];
-    std::sort(begin, end);
-    offsets_[v] = kept;
-    kept = static_cast<Index>(std::unique_copy(begin, end, neighbours_.begin() + kept) - neighbours_.begin());
-  }
-  offsets_[count] = kept;
-  neighbours_.resize(static_cast<std::size_t>(kept));
-  neighbours_.shrink_to_fit();
 }
 
 void SurfaceGraph::numberComponents() {

@@ -59,19 +59,41 @@ double usualRadius(std::vector<double> radii) {
   return 0.0;
 }
 
-/// The distance from the surface below which a Voronoi vertex counts as a sliver's, for each part.
-std::vector<double> sliverRadii(const SurfaceParts& parts, const PointPool& inside,
-                                const std::vector<double>& radii) {
-  std::vector<std::vector<double>> radiiOfPart(static_cast<std::size_t>(parts.count()));
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    radiiOfPart[inside.parts[i]].push_back(radii[i] / parts.diagonal());
+/// The parts whose usual radius is large enough for sliverShareOfDiagonal, so that the inside of smaller balls
+/// need not be known: also if all of them were inside, the larger ones hold half of the volume.
+std::vector<bool> partsWithLargeBalls(const SurfaceParts& parts, const SurfaceSamples& sites,
+                                      const VoronoiVertices& vertices, const std::vector<bool>& isInside) {
+  const double diagonal = parts.diagonal();
+  const double large = sliverShareOfDiagonal / sliverShareOfUsual;
+  std::vector<double> below(static_cast<std::size_t>(parts.count()), 0.0);
+  std::vector<double> total(below.size(), 0.0);
+  for (Index v = 0; v < vertices.size(); ++v) {
+    const double radius = vertices.radii[v] / diagonal;
+    if (isInside[v] || radius < sliverShareOfDiagonal) {
+      const Index part = sites.parts[vertices.sites(v)[0]];
+      const double cube = radius * radius * radius;
+      total[part] += cube;
+      below[part] += radius < large ? cube : 0.0;
+    }
   }
-  std::vector<double> limits;
-  for (auto& one : radiiOfPart) {
-    limits.push_back(parts.diagonal() *
-                     std::min(sliverShareOfDiagonal, sliverShareOfUsual * usualRadius(std::move(one))));
+  std::vector<bool> isLarge;
+  for (std::size_t part = 0; part < total.size(); ++part) {
+    isLarge.push_back(below[part] < 0.5 * total[part]);
   }
-  return limits;
+  return isLarge;
+}
+
+/// The distance from the surface below which a Voronoi vertex of a part counts as a sliver's. inside: those
+/// of its vertices that are inside.
+double sliverRadius(const SurfaceParts& parts, const VoronoiVertices& vertices,
+                    const std::vector<Index>& inside) {
+  const double diagonal = parts.diagonal();
+  std::vector<double> radii;
+  radii.reserve(inside.size());
+  for (const Index v : inside) {
+    radii.push_back(vertices.radii[v] / diagonal);
+  }
+  return diagonal * std::min(sliverShareOfDiagonal, sliverShareOfUsual * usualRadius(std::move(radii)));
 }
 
 /// A grid over the bounds with cells of one size, or smaller along an axis that has room for few.
@@ -123,7 +145,7 @@ std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsign
           grid.first[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
     }
   }
-  const std::vector<bool> isInside = parts.insideFlags(points, progress);
+  const std::vector<bool> isInside = parts.likelyInsideFlags(points, progress);
   std::vector<Vec3> inside;
   for (std::size_t i = 0; i < total; ++i) {
     if (isInside[i]) {
@@ -151,8 +173,97 @@ Index partNear(const SurfaceParts& parts, const Vec3& point) {
   return 0;
 }
 
+/// One flag for each of `rows`, which are Voronoi vertices: by votes, and by the winding number.
+std::vector<bool> insideFlagsOf(const std::vector<Index>& rows, const SurfaceParts& parts,
+                                const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                                const Progress& progress) {
+  std::vector<Vote> votes(rows.size(), Vote::open);
+  if (parts.countOf(true) == 1) {
+    parallelFor(rows.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        votes[i] = voteOn(rows[i], sites, vertices);
+      }
+    });
+  }
+  std::vector<std::size_t> open;
+  std::vector<std::size_t> sample;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (votes[i] == Vote::open) {
+      open.push_back(i);
+    } else if (scrambled(static_cast<std::uint64_t>(rows[i])) % votesToCheck == 0) {
+      sample.push_back(i);
+    }
+  }
+  std::vector<bool> isInside(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    isInside[i] = votes[i] == Vote::inside;
+  }
+  const auto byWinding = [&](const std::vector<std::size_t>& some) {
+    Points points(static_cast<Index>(some.size()), 3);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      points.row(static_cast<Index>(k)) = vertices.positions.row(rows[some[k]]);
+    }
+    return parts.likelyInsideFlags(points, progress);
+  };
+  const std::vector<bool> checked = byWinding(sample);
+  for (std::size_t k = 0; k < sample.size(); ++k) {
+    if (checked[k] != isInside[sample[k]]) {
+      open.resize(rows.size());
+      std::iota(open.begin(), open.end(), std::size_t{0});
+      break;
+    }
+  }
+  const std::vector<bool> decided = byWinding(open);
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    isInside[open[k]] = decided[k];
+  }
+  return isInside;
+}
+
+/// The Voronoi vertices inside that are no slivers'.
+PointPool volumePoints(const SurfaceParts& parts, const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                       const Progress& progress) {
+  const double least = sliverShareOfDiagonal * parts.diagonal();
+  std::vector<bool> isInside(static_cast<std::size_t>(vertices.size()), false);
+  const auto decide = [&](const auto& isAsked) {
+    std::vector<Index> rows;
+    for (Index v = 0; v < vertices.size(); ++v) {
+      if (isAsked(v)) {
+        rows.push_back(v);
+      }
+    }
+    const std::vector<bool> flags = insideFlagsOf(rows, parts, sites, vertices, progress);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      isInside[rows[i]] = flags[i];
+    }
+  };
+  const auto partOf = [&](Index v) { return sites.parts[vertices.sites(v)[0]]; };
+  decide([&](Index v) { return vertices.radii[v] >= least; });
+  const std::vector<bool> isLarge = partsWithLargeBalls(parts, sites, vertices, isInside);
+  decide([&](Index v) { return vertices.radii[v] < least && !isLarge[partOf(v)]; });
+
+  std::vector<std::vector<Index>> insideOfPart(isLarge.size());
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[v] && !isLarge[partOf(v)]) {
+      insideOfPart[partOf(v)].push_back(v);
+    }
+  }
+  std::vector<double> limits;
+  for (std::size_t part = 0; part < isLarge.size(); ++part) {
+    limits.push_back(isLarge[part] ? least : sliverRadius(parts, vertices, insideOfPart[part]));
+  }
+  PointPool kept;
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[v] && vertices.radii[v] >= limits[partOf(v)]) {
+      kept.append(vertices.positions.row(v), partOf(v));
+    }
+  }
+  kept.dropDoubles();
+  return kept;
+}
+
 PointPool surelyInside(const PointPool& pool, const SurfaceParts& parts, const Progress& progress) {
-  const std::vector<bool> isInside = parts.insideFlags(pool.points, progress);
+  const std::vector<bool> isInside = parts.likelyInsideFlags(pool.points, progress);
   PointPool kept;
   for (Index i = 0; i < pool.size(); ++i) {
     if (isInside[i]) {
@@ -173,46 +284,9 @@ double spacingIn(double volume, Index target) {
 
 std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
                               const VoronoiVertices& vertices, const Progress& progress) {
-  const auto count = static_cast<std::size_t>(vertices.size());
-  std::vector<Vote> votes(count, Vote::open);
-  if (parts.countOf(true) == 1) {
-    parallelFor(count, 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        votes[v] = voteOn(static_cast<Index>(v), sites, vertices);
-      }
-    });
-  }
-  std::vector<Index> open;
-  std::vector<Index> sample;
-  for (std::size_t v = 0; v < count; ++v) {
-    if (votes[v] == Vote::open) {
-      open.push_back(static_cast<Index>(v));
-    } else if (scrambled(v) % votesToCheck == 0) {
-      sample.push_back(static_cast<Index>(v));
-    }
-  }
-  const auto decide = [&](const std::vector<Index>& rows) {
-    Points points(static_cast<Index>(rows.size()), 3);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      points.row(static_cast<Index>(i)) = vertices.positions.row(rows[i]);
-    }
-    return parts.insideFlags(points, progress);
-  };
-  const std::vector<bool> checked = decide(sample);
-  for (std::size_t i = 0; i < sample.size(); ++i) {
-    if (checked[i] != (votes[sample[i]] == Vote::inside)) {
-      return parts.insideFlags(vertices.positions, progress);
-    }
-  }
-  const std::vector<bool> decided = decide(open);
-  std::vector<bool> isInside(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    isInside[v] = votes[v] == Vote::inside;
-  }
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    isInside[open[i]] = decided[i];
-  }
-  return isInside;
+  std::vector<Index> rows(static_cast<std::size_t>(vertices.size()));
+  std::iota(rows.begin(), rows.end(), 0);
+  return insideFlagsOf(rows, parts, sites, vertices, progress);
 }
 
 PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites,
@@ -228,25 +302,7 @@ PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& s
     return {};
   }
   progress.report("Placing points: inside");
-  const std::vector<bool> isInside = insideFlags(parts, sites, vertices, progress);
-  PointPool inside;
-  std::vector<double> radii;
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (isInside[v]) {
-      inside.append(vertices.positions.row(v), sites.parts[vertices.sites(v)[0]]);
-      radii.push_back(vertices.radii[v]);
-    }
-  }
-  inside.shrink();
-  const std::vector<double> limits = sliverRadii(parts, inside, radii);
-  PointPool kept;
-  for (Index i = 0; i < inside.size(); ++i) {
-    if (radii[i] >= limits[inside.parts[i]]) {
-      kept.append(inside.points.row(i), inside.parts[i]);
-    }
-  }
-  kept.dropDoubles();
-  return kept;
+  return volumePoints(parts, sites, vertices, progress);
 }
 
 PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,

@@ -1,5 +1,6 @@
 #include "core/ffd/placement/placement_cache.h"
 
+#include "core/base/parallel.h"
 #include "core/ffd/placement/shares.h"
 
 #include <algorithm>
@@ -19,15 +20,17 @@ Index classOf(int points) {
   return 20000;
 }
 
-/// More sites than 6,000 change where 200 points lie by less than the distance between sites, and cost more
-/// than the rest of placement. Of many points each wants a choice of places.
-Index sensibleSiteCount(int points) {
-  return 3 * classOf(points);
-}
-
-/// Exterior points want a choice of places too, also where few Voronoi sites were asked for.
+/// Exterior points want a choice of places, also where few Voronoi sites were asked for.
 Index exteriorPlaces(int points) {
   return 3 * classOf(points) / 2;
+}
+
+/// More sites than 6,000 change where 200 points lie by less than the distance between sites, and cost more
+/// than the rest of placement. Of many points each wants a choice of places, of which a site gives about three
+/// inside.
+Index sensibleSiteCount(int points) {
+  constexpr Index least = 6000;
+  return std::max(least, exteriorPlaces(points));
 }
 
 /// A mesh of fewer vertices says too little of its shape by them alone: the faces are sampled too.
@@ -68,7 +71,7 @@ struct Exterior {
 void warmUp(const RestMesh& mesh, Reach reach) {
   static_cast<void>(mesh.mortonOrder());
   if (reach == Reach::connected) {
-    static_cast<void>(mesh.graph());
+    static_cast<void>(mesh.blockGraph());
   }
 }
 
@@ -105,16 +108,23 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   const Samples samples = samplesFor(parts, made->ground);
   const auto makeExterior = [&] {
     Exterior exterior;
-    exterior.pools = std::make_shared<const ExteriorPools>(
-        exteriorPools(parts, samples.exterior, options.offset * parts.diagonal(), progress));
-    if (!sameGround) {
-      exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
-      warmUp(*mesh, options.reach);
+    const auto make = [&] {
+      exterior.pools = std::make_shared<const ExteriorPools>(
+          exteriorPools(parts, samples.exterior, options.offset * parts.diagonal(), progress));
+      if (!sameGround) {
+        exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
+        warmUp(*mesh, options.reach);
+      }
+    };
+    if (sameGround) {
+      make();
+    } else {
+      onThisThreadAlone(make);
     }
     return exterior;
   };
-  // Beside the interior points, since Qhull knows one thread only. That one stays this one: its memory is at
-  // hand again the next time.
+  // Beside the interior points, on one core, since Qhull knows one thread only. That one stays this one: its
+  // memory is at hand again the next time.
   std::future<Exterior> exterior =
       std::async(sameGround ? std::launch::deferred : std::launch::async, makeExterior);
   made->interior = sameGround ? before->interior

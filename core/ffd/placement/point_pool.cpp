@@ -73,9 +73,11 @@ PointPool merged(const PointPool& pool, Index target, Side side, const SurfacePa
   return result.size() > target ? thinned(result, target) : result;
 }
 
-std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+/// isExact: by the winding number of each point.
+std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& parts, bool isExact,
                           const Progress& progress) {
-  std::vector<bool> flags = parts.insideFlags(pool.points, progress);
+  std::vector<bool> flags =
+      isExact ? parts.insideFlags(pool.points, progress) : parts.likelyInsideFlags(pool.points, progress);
   if (side == Side::inside) {
     flags.flip();
   }
@@ -83,13 +85,13 @@ std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& 
 }
 
 bool hasOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, const Progress& progress) {
-  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  const std::vector<bool> flags = offSide(pool, side, parts, true, progress);
   return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
 PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts,
                          const Progress& progress) {
-  const std::vector<bool> flags = offSide(pool, side, parts, progress);
+  const std::vector<bool> flags = offSide(pool, side, parts, false, progress);
   std::set<Index> partsOnSide;
   for (Index i = 0; i < pool.size(); ++i) {
     if (!flags[i]) {

@@ -6,8 +6,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 
 namespace pbffd {
 namespace {
@@ -24,6 +25,7 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows) {
 
 SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how) : mesh_(std::move(mesh)) {
   MeshParts parts = meshParts(*mesh_);
+  isWhole_ = parts.isClosed;
   isClosed_ = std::move(parts.isClosed);
   if (how == Surface::automatic) {
     inconsistentCount_ = parts.inconsistentCount;
@@ -33,7 +35,7 @@ SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how) : 
   isTurned_.assign(isClosed_.size(), false);
   nameParts(parts.ofFace);
   measure();
-  inside_ = std::make_unique<WindingNumber>(workingPositions(), closedCorners());
+  inside_ = std::make_unique<Lazy<WindingNumber>>();
   turnPartsInsideOut();
   if (countOf(false) > 0) {
     const Triangles& triangles = mesh_->triangles();
@@ -114,7 +116,7 @@ bool SurfaceParts::isInsideOut(Index triangle) const {
   };
   const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
   const double size = round_ ? 1.0 : diagonal();
-  return inside_->at((at(0) + at(1) + at(2)) / 3.0 + step * size * normal) < -0.5;
+  return inside().at((at(0) + at(1) + at(2)) / 3.0 + step * size * normal) < -0.5;
 }
 
 /// A part of negative volume is the wall of a hollow, or it lies inside out: then the winding number behind
@@ -142,7 +144,7 @@ void SurfaceParts::turnPartsInsideOut() {
     }
   }
   if (anyTurned) {
-    inside_ = std::make_unique<WindingNumber>(workingPositions(), closedCorners());
+    inside_ = std::make_unique<Lazy<WindingNumber>>();
     volume_ = 0.0;
     for (std::size_t part = 0; part < isClosed_.size(); ++part) {
       volume_ += isClosed_[part] ? (isTurned_[part] ? -signedVolume_[part] : signedVolume_[part]) : 0.0;
@@ -176,6 +178,15 @@ Vec3 SurfaceParts::triangleNormal(Index triangle) const {
   return isTurned_[partOfTriangle_[triangle]] ? Vec3(-normal) : normal;
 }
 
+const WindingNumber& SurfaceParts::inside() const {
+  return inside_->get([&] {
+    const bool areAsTheyAre =
+        countOf(false) == 0 && std::find(isTurned_.begin(), isTurned_.end(), true) == isTurned_.end();
+    return areAsTheyAre ? WindingNumber(workingPositions(), mesh_->triangles().vertices)
+                        : WindingNumber(workingPositions(), closedCorners());
+  });
+}
+
 std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress& progress) const {
   // Near ones one after the other: they look at the same parts of the surface.
   const std::vector<Index> order = mortonOrderOf(points, mesh_->bounds());
@@ -189,10 +200,54 @@ std::vector<bool> SurfaceParts::insideFlags(const Points& points, const Progress
   return {flags.begin(), flags.end()};
 }
 
+std::vector<bool> SurfaceParts::likelyInsideFlags(const Points& points, const Progress& progress) const {
+  // Through a hole a point comes in without meeting a wall.
+  if (!std::equal(isClosed_.begin(), isClosed_.end(), isWhole_.begin(), std::less_equal<>())) {
+    return insideFlags(points, progress);
+  }
+  const std::vector<std::uint8_t> flags = flagsAlong(mortonOrderOf(points, mesh_->bounds()), points, progress);
+  progress.throwIfCancelled();
+  return flags.empty() ? insideFlags(points, progress) : std::vector<bool>(flags.begin(), flags.end());
+}
+
+/// Along the order from point to point; none where a check fails.
+std::vector<std::uint8_t> SurfaceParts::flagsAlong(const std::vector<Index>& order, const Points& points,
+                                                   const Progress& progress) const {
+  constexpr std::size_t run = 128;
+  constexpr std::size_t pointsToCheck = 16;
+  const TriangleTree& walls = inside().triangles();
+  // Out there, far off, crossings would be rounded away.
+  const auto isBeyond = [&](const Vec3& point) {
+    return (point.array() < bounds_.low.array()).any() || (point.array() > bounds_.high.array()).any();
+  };
+  std::vector<std::uint8_t> flags(order.size(), 0);
+  std::atomic<bool> isRight = true;
+  parallelFor((order.size() + run - 1) / run, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * run; i < std::min(end * run, order.size()) && isRight; ++i) {
+      if (progress.isCancelled()) {
+        return;
+      }
+      const Vec3 point = points.row(order[i]);
+      if (isBeyond(point)) {
+        continue;
+      }
+      const Vec3 before = points.row(order[i - (i % run == 0 ? 0 : 1)]);
+      const bool isApart = i % run == 0 || isBeyond(before) || walls.isCrossed(working(before), working(point));
+      const bool isCheck = i % pointsToCheck == 0;
+      const bool isIn = isApart || isCheck ? isInside(point) : flags[order[i - 1]] != 0;
+      if (isCheck && !isApart && isIn != (flags[order[i - 1]] != 0)) {
+        isRight = false;
+      }
+      flags[order[i]] = isIn;
+    }
+  });
+  return isRight ? flags : std::vector<std::uint8_t>();
+}
+
 bool SurfaceParts::isBetween(const Vec3& from, const Vec3& to) const {
   const Vec3 a = working(from);
   const Vec3 b = working(to);
-  return inside_->triangles().isCrossed(a, b) || (openParts_ && openParts_->isCrossed(a, b));
+  return inside().triangles().isCrossed(a, b) || (openParts_ && openParts_->isCrossed(a, b));
 }
 
 }  // namespace pbffd

@@ -28,6 +28,27 @@ void requireFlagsLikeTheWindingNumber(const SurfaceParts& parts) {
   QVERIFY2(1000 * wrong <= vertices.size(), qPrintable(QString("%1 of %2").arg(wrong).arg(vertices.size())));
 }
 
+/// As equations.md has it, from all that is inside.
+double sliverLimit(const SurfaceParts& parts, const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                   const std::vector<bool>& isInside, Index part) {
+  std::vector<double> radii;
+  double total = 0.0;
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[static_cast<std::size_t>(v)] && sites.parts[vertices.sites(v)[0]] == part) {
+      radii.push_back(vertices.radii[v] / parts.mesh().diagonal());
+      total += std::pow(radii.back(), 3);
+    }
+  }
+  std::sort(radii.begin(), radii.end());
+  double below = 0.0;
+  double usual = 0.0;
+  for (std::size_t i = 0; i < radii.size() && below < 0.5 * total; ++i) {
+    usual = radii[i];
+    below += std::pow(usual, 3);
+  }
+  return parts.mesh().diagonal() * std::min(0.01, 0.5 * usual);
+}
+
 }  // namespace
 
 class InteriorPointsTest : public QObject {
@@ -78,6 +99,42 @@ class InteriorPointsTest : public QObject {
     for (Index i = 0; i < pool.size(); ++i) {
       QVERIFY(parts.mesh().nearestVertex().nearest(pool.points.row(i)).distance >=
               0.01 * parts.mesh().diagonal());
+    }
+  }
+
+  void thoseKeptAreInsideAndNoSlivers() {
+    // Where balls are large and where they are small, most of them less than 1 % of the diagonal.
+    const Mesh thin = test::cylinder(4.0, 0.02, 200, 24);
+    for (Mesh mesh :
+         {test::fork(), thin, test::merged(test::placedAt(test::sphere(), 1.0, Vec3(9, 0, 0)), thin)}) {
+      // Rough, so that no Voronoi vertex lies in a wall.
+      for (Index v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.positions.row(v) +=
+            1e-4 * Vec3(std::sin(12.9 * v), std::sin(7.3 * v), std::sin(4.1 * v)).transpose();
+      }
+      const SurfaceParts parts = partsOf(mesh);
+      const SurfaceSamples sites = everyVertex(parts);
+      const VoronoiVertices vertices = voronoiVertices(sites.positions);
+      const std::vector<bool> flags = insideFlags(parts, sites, vertices, {});
+      std::vector<double> limits;
+      for (Index part = 0; part < parts.count(); ++part) {
+        limits.push_back(sliverLimit(parts, sites, vertices, flags, part));
+      }
+      Index kept = 0;
+      const PointPool pool = voronoiPointsInside(parts, sites, {});
+      for (Index v = 0; v < vertices.size(); ++v) {
+        const Index part = sites.parts[vertices.sites(v)[0]];
+        if (flags[static_cast<std::size_t>(v)] && vertices.radii[v] >= limits[part]) {
+          QVERIFY2(
+              kept < pool.size() && pool.points.row(kept) == vertices.positions.row(v),
+              qPrintable(
+                  QString("vertex %1 of %2, radius %3").arg(v).arg(vertices.size()).arg(vertices.radii[v])));
+          QCOMPARE(pool.parts[kept], part);
+          ++kept;
+        }
+      }
+      QVERIFY(kept > 0);
+      QCOMPARE(pool.size(), kept);
     }
   }
 

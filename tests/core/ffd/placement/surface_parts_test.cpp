@@ -1,4 +1,5 @@
 #include "core/ffd/placement/surface_parts.h"
+#include "core/base/error.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -22,6 +23,27 @@ Mesh turnedOver(const Mesh& mesh) {
     turned.faces.add(std::vector<Index>(mesh.faces[f].rbegin(), mesh.faces[f].rend()));
   }
   return turned;
+}
+
+/// A grid of points in and around the mesh.
+Points pointsAround(const RestMesh& mesh) {
+  constexpr Index side = 24;
+  const Vec3 size = mesh.bounds().high - mesh.bounds().low;
+  Points points(side * side * side, 3);
+  for (Index i = 0; i < points.rows(); ++i) {
+    const Vec3 share = Vec3(i % side, i / side % side, i / side / side) / side;
+    points.row(i) = mesh.bounds().low + (1.1 * share.array() - 0.05).matrix().cwiseProduct(size);
+  }
+  return points;
+}
+
+void requireLikelyFlagsOfTheWindingNumber(const SurfaceParts& parts) {
+  const Points points = pointsAround(parts.mesh());
+  const std::vector<bool> flags = parts.insideFlags(points, {});
+  QVERIFY(std::count(flags.begin(), flags.end(), true) > 100);
+  QVERIFY(parts.likelyInsideFlags(points, {}) == flags);
+  // Voronoi vertices lie as far off as this.
+  QVERIFY(parts.likelyInsideFlags(1e9 * points, {}) == parts.insideFlags(1e9 * points, {}));
 }
 
 }  // namespace
@@ -130,6 +152,42 @@ class SurfacePartsTest : public QObject {
     QVERIFY(!parts.isInside(Vec3::Zero()));
     QVERIFY(parts.isInside(Vec3(0.4, 0, 0)));
     QVERIFY(std::abs(parts.volume() - 0.875) < 1e-12);
+  }
+
+  void likelyFlagsAreThoseOfTheWindingNumber() {
+    requireLikelyFlagsOfTheWindingNumber(partsOf(test::fork()));
+    const Mesh ball = test::sphere(20, 40);
+    requireLikelyFlagsOfTheWindingNumber(
+        partsOf(test::merged(ball, test::placedAt(ball, 0.9, Vec3(0.05, 0, 0)))));
+    // Open, and taken as closed: points come in without meeting a wall.
+    Mesh bowl = ball;
+    bowl.faces = {};
+    for (Index f = 0; f < ball.faces.size() * 3 / 4; ++f) {
+      bowl.faces.add(ball.faces[f]);
+    }
+    requireLikelyFlagsOfTheWindingNumber(partsOf(bowl, Surface::closed));
+    // Closed, and a good part of it turned over: no wall stands where the winding number passes one half.
+    Mesh patched = ball;
+    patched.faces = {};
+    for (Index f = 0; f < ball.faces.size(); ++f) {
+      std::vector<Index> corners(ball.faces[f].begin(), ball.faces[f].end());
+      if (f % 3 == 0) {
+        std::reverse(corners.begin(), corners.end());
+      }
+      patched.faces.add(corners);
+    }
+    const SurfaceParts parts = partsOf(patched, Surface::closed);
+    const Points points = pointsAround(parts.mesh());
+    QVERIFY(parts.likelyInsideFlags(points, {}) == parts.insideFlags(points, {}));
+  }
+
+  void flagsCanBeCancelled() {
+    const Progress progress([](std::string_view, double) {});
+    progress.cancel();
+    const SurfaceParts parts = partsOf(test::sphere());
+    const Points points = pointsAround(parts.mesh());
+    QVERIFY_EXCEPTION_THROWN(parts.insideFlags(points, progress), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(parts.likelyInsideFlags(points, progress), Cancelled);
   }
 };
 

@@ -9,6 +9,10 @@
 #include <filesystem>
 #include <memory>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace pbffd::cli {
 namespace {
 
@@ -18,15 +22,27 @@ struct PlaceCommand {
   PlacementOptions placement;
 };
 
+/// Has long arrays go back to the system as soon as they are freed: a command that runs once has no use for
+/// them.
+void keepMemorySmall() {
+#if defined(__GLIBC__)
+  constexpr int longArray = 1 << 20;
+  static_cast<void>(mallopt(M_MMAP_THRESHOLD, longArray));
+#endif
+}
+
 void place(const PlaceCommand& command, const Progress& progress) {
+  keepMemorySmall();
   requireProjectName(command.project, command.mesh);
   const auto mesh = std::make_shared<const RestMesh>(readMesh(command.mesh, progress));
   printRemarks(mesh->mesh().remarks);
   Place edit;
   edit.options = command.placement;
-  EditWorkspace workspace;
-  const EditResult result =
-      naming(command.mesh.string(), [&] { return apply(projectOf(mesh), edit, workspace, progress); });
+  const EditResult result = naming(command.mesh.string(), [&] {
+    EditWorkspace workspace;
+    workspace.keepsPlacement = false;
+    return apply(projectOf(mesh), edit, workspace, progress);
+  });
   saveProject(command.project, result.project, {}, progress);
   printRemarks(result.remarks);
   const ControlSet& controls = result.project.controls;

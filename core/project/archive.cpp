@@ -112,7 +112,7 @@ void add(zip_t* archive, const ArchiveMember& member) {
   if (member.name.ends_with('/')) {
     index = zip_dir_add(archive, member.name.c_str(), utf8);
   } else {
-    SourceHandle source(zip_source_buffer(archive, member.bytes.data(), member.bytes.size(), 0));
+    SourceHandle source(zip_source_buffer(archive, member.content().data(), member.content().size(), 0));
     index = source ? zip_file_add(archive, member.name.c_str(), source.get(), utf8) : -1;
     if (index >= 0) {
       source.release();
@@ -122,7 +122,7 @@ void add(zip_t* archive, const ArchiveMember& member) {
     failToBuild(archive);
   }
   const auto place = static_cast<zip_uint64_t>(index);
-  const zip_int32_t method = member.compressed && !member.bytes.empty() ? ZIP_CM_DEFLATE : ZIP_CM_STORE;
+  const zip_int32_t method = member.compressed && !member.content().empty() ? ZIP_CM_DEFLATE : ZIP_CM_STORE;
   // The earliest date that a ZIP can hold: the same project gives the same bytes.
   constexpr zip_uint16_t midnight = 0;
   constexpr zip_uint16_t firstOf1980 = (1U << 5U) | 1U;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ struct ArchiveMember {
   std::string name;
   std::string bytes;
   bool compressed = true;  ///< stored by deflate, else as it is
+  /// What somebody else holds too, in place of `bytes`: a mesh file may be as long as all else in memory.
+  std::shared_ptr<const std::string> shared = nullptr;
+
+  const std::string& content() const { return shared ? *shared : bytes; }
 };
 
 /// A ZIP archive in memory, its members in order: the only user of libzip.

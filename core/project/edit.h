@@ -151,6 +151,8 @@ struct Edit : std::variant<Place, Move, Transform, SetPose, SetRegion, Add, Remo
 struct EditWorkspace {
   WeightCache weights;
   std::shared_ptr<const PlacementCache> placement;
+  /// Whether another `place` may follow that `placement` is worth its memory for, which is that of the mesh.
+  bool keepsPlacement = true;
 };
 
 /// What an edit made: the new project, and sentences that the user should read (fewer points placed than

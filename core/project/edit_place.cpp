@@ -19,6 +19,9 @@ PlacementResult place(const EditScope& scope, const Place& edit) {
   const auto placed = [&](const PlacementOptions& options) {
     PlacementResult result =
         placeControlPoints(scope.before.mesh, options, scope.progress, scope.workspace.placement);
+    if (!scope.workspace.keepsPlacement) {
+      result.cache.reset();
+    }
     scope.workspace.placement = result.cache;
     return result;
   };

@@ -101,7 +101,7 @@ std::string plainName(std::string name) {
 /// The imported file, or for a mesh that came from none one that is made of it.
 ArchiveMember meshMember(const Mesh& mesh, const Progress& progress) {
   if (mesh.source.bytes) {
-    return {"mesh/" + plainName(mesh.source.name), *mesh.source.bytes, true};
+    return {"mesh/" + plainName(mesh.source.name), {}, true, mesh.source.bytes};
   }
   const std::string name =
       std::filesystem::path(plainName(mesh.source.name)).replace_extension(".obj").string();
@@ -111,7 +111,7 @@ ArchiveMember meshMember(const Mesh& mesh, const Progress& progress) {
 Archive archiveOf(const Project& project, const ProjectExtras& extras, const Progress& progress) {
   Archive archive;
   ArchiveMember mesh = meshMember(project.mesh->mesh(), progress);
-  ProjectDocument document{project, mesh.name, sha256(mesh.bytes), extras.viewJson};
+  ProjectDocument document{project, mesh.name, sha256(mesh.content()), extras.viewJson};
   archive.members.push_back(
       {documentName, toJson(document).dump(-1, ' ', false, Json::error_handler_t::replace), true});
   archive.members.push_back(std::move(mesh));

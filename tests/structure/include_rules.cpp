@@ -78,7 +78,7 @@ const std::vector<Library>& libraries() {
       // Headers of the standard have no ending, those of the system end in .h.
       {"the standard library", std::regex("[a-z_0-9]+"), {"core/", "ui/", "app/"}},
       {"the system",
-       std::regex("sys/[a-z]+\\.h|(fcntl|unistd|signal|pthread|dlfcn|immintrin|cpuid)\\.h"),
+       std::regex("sys/[a-z]+\\.h|(fcntl|unistd|signal|pthread|dlfcn|malloc|immintrin|cpuid)\\.h"),
        {"core/", "ui/", "app/"}},
   };
   return all;

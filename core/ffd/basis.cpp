@@ -26,7 +26,7 @@ double basisValue(const Basis& basis, double uSquared) {
 
 Lanes basisValues(const Basis& basis, const Lanes& uSquared) {
   Lanes values;
-  blockKernels().radial({static_cast<int>(basis.kernel), basis.sigma}, uSquared.data(), values.data());
+  blockKernels().radial(numbersOf(basis), uSquared.data(), values.data());
   return values;
 }
 

@@ -17,6 +17,10 @@ struct Basis {
   bool operator==(const Basis&) const = default;
 };
 
+inline RadialNumbers numbersOf(const Basis& basis) {
+  return {static_cast<int>(basis.kernel), basis.sigma};
+}
+
 /// The basis value at squared distance u^2 from the centre in region units, 1 at the centre, 0 from the
 /// border on (McDonnell & Qin, eq. (1)). The same bits on every processor: the gaussian does not use the
 /// system's exp, whose result depends on the instructions at hand.

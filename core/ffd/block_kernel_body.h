@@ -138,9 +138,13 @@ struct BlockBody {
     }
   }
 
-  static void addMembers(double strength, unsigned members, double* values, double* sums) {
+  static void memberValues(const double* points, const InfluenceNumbers& influence, double* values,
+                           double* sums) {
+    alignas(64) double uSquared[16];
+    squaredDistances(points, influence.region, uSquared);
+    radial(influence.radial, uSquared, values);
     for (unsigned k = 0; k < 16; ++k) {
-      const double value = (members >> k & 1U) != 0 ? strength * values[k] : 0.0;
+      const double value = (influence.members >> k & 1U) != 0 ? influence.strength * values[k] : 0.0;
       values[k] = value;
       sums[k] += value;
     }
@@ -152,7 +156,7 @@ struct BlockBody {
     }
   }
 
-  static constexpr BlockKernels all{&squaredDistances, &inside, &meets, &radial, &addMembers, &weights};
+  static constexpr BlockKernels all{&squaredDistances, &inside, &meets, &radial, &memberValues, &weights};
 };
 
 }  // namespace pbffd

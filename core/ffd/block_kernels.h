@@ -20,6 +20,14 @@ struct RadialNumbers {
   double sigma;
 };
 
+/// One control point over a block.
+struct InfluenceNumbers {
+  RegionNumbers region;
+  RadialNumbers radial;
+  double strength;
+  unsigned members;  ///< bit k: whether it moves the k-th point
+};
+
 /// The inner loops of parameterization and of the exact deformation, over 16 points or 8 boxes at a time. All
 /// variants give the same bits: none contracts a multiplication and an addition.
 struct BlockKernels {
@@ -32,8 +40,8 @@ struct BlockKernels {
   unsigned (*meets)(const double* boxes, const RegionNumbers& region);
   /// The basis values of 16 squared distances; 0 from the border on.
   void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);
-  /// strength x values at the members and 0 at the others; adds them to `sums`.
-  void (*addMembers)(double strength, unsigned members, double* values, double* sums);
+  /// strength x basis value at the members among 16 points and 0 at the others; adds them to `sums`.
+  void (*memberValues)(const double* points, const InfluenceNumbers& influence, double* values, double* sums);
   /// value x toWeight in single precision.
   void (*weights)(const double* values, const double* toWeight, float* weights);
 };

@@ -32,8 +32,9 @@ void BlockValues::evaluate(Index block, const BlockList& list) {
   Lanes total{};
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const Index j = list.points[e];
-    entries_[e] = basisValues(values_->basis(), blocks_->squaredDistances(block, values_->region(j)));
-    kernels.addMembers(values_->strength(j), list.members[e], entries_[e].data(), total.data());
+    const InfluenceNumbers influence{values_->region(j).numbers(), numbersOf(values_->basis()),
+                                     values_->strength(j), list.members[e]};
+    kernels.memberValues(blocks_->numbers(block), influence, entries_[e].data(), total.data());
   }
   master_ = values_->master(*blocks_, block);
   for (std::size_t k = 0; k < total.size(); ++k) {

@@ -40,6 +40,14 @@ struct BlockList {
   std::span<const std::uint16_t> members;
 };
 
+/// The list of a block among the lists of all: `start` has one more entry than there are blocks.
+inline BlockList blockListOf(Index block, const std::vector<Index>& start, const std::vector<Index>& points,
+                             const std::vector<std::uint16_t>& members) {
+  const auto first = static_cast<std::size_t>(start[static_cast<std::size_t>(block)]);
+  const auto count = static_cast<std::size_t>(start[static_cast<std::size_t>(block) + 1]) - first;
+  return {{points.data() + first, count}, {members.data() + first, count}};
+}
+
 /// The basis values of one block at a time, and what makes weights of them (McDonnell & Qin, eq. (5)).
 class BlockValues {
  public:

@@ -24,11 +24,7 @@ struct BlockLists {
   std::vector<Index> points;
   std::vector<std::uint16_t> members;
 
-  BlockList list(Index block) const {
-    const auto first = static_cast<std::size_t>(start[static_cast<std::size_t>(block)]);
-    const auto count = static_cast<std::size_t>(start[static_cast<std::size_t>(block) + 1]) - first;
-    return {{points.data() + first, count}, {members.data() + first, count}};
-  }
+  BlockList list(Index block) const { return blockListOf(block, start, points, members); }
 };
 BlockLists listsOf(const std::vector<Membership>& memberships, Index blockCount);
 

@@ -29,12 +29,6 @@ std::vector<Membership> vertexMemberships(const RestMesh& mesh, const PointBlock
 
 }  // namespace
 
-BlockList Parameterization::list(Index block) const {
-  const auto first = static_cast<std::size_t>(blockStart[static_cast<std::size_t>(block)]);
-  const auto count = static_cast<std::size_t>(blockStart[static_cast<std::size_t>(block) + 1]) - first;
-  return {{points.data() + first, count}, {members.data() + first, count}};
-}
-
 Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Master& master,
                               const Level& level, const Progress& progress) {
   progress.report("Computing weights: regions", 0.0);

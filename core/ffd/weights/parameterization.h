@@ -31,7 +31,7 @@ struct Parameterization {
   Index pointCount = 0;
 
   Index blockCount() const { return static_cast<Index>(blockStart.size()) - 1; }
-  BlockList list(Index block) const;
+  BlockList list(Index block) const { return blockListOf(block, blockStart, points, members); }
 };
 
 /// Runs in parallel over points, then blocks; the result does not depend on the number of threads.

@@ -101,14 +101,12 @@ void PointBlocks::buildTree() {
 
 Lanes PointBlocks::squaredDistances(Index block, const Region& region) const {
   Lanes squared;
-  blockKernels().squaredDistances(&coordinates_[48 * static_cast<std::size_t>(block)], region.numbers(),
-                                  squared.data());
+  blockKernels().squaredDistances(numbers(block), region.numbers(), squared.data());
   return squared;
 }
 
 std::uint16_t PointBlocks::inside(Index block, const Region& region) const {
-  return static_cast<std::uint16_t>(
-      blockKernels().inside(&coordinates_[48 * static_cast<std::size_t>(block)], region.numbers()));
+  return static_cast<std::uint16_t>(blockKernels().inside(numbers(block), region.numbers()));
 }
 
 std::vector<Index> PointBlocks::blocksNear(const Region& region) const {

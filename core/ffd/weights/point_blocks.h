@@ -26,12 +26,15 @@ class PointBlocks {
   /// after the last point.
   Lanes squaredDistances(Index block, const Region& region) const;
 
+  /// The block's 16 x, 16 y and 16 z, as the block kernels take them.
+  const double* numbers(Index block) const { return &coordinates_[48 * static_cast<std::size_t>(block)]; }
+
   /// Bit k: whether the k-th point of the block is in the region.
   std::uint16_t inside(Index block, const Region& region) const;
 
   /// Point k of the block.
   Vec3 point(Index block, Index k) const {
-    const double* at = &coordinates_[48 * static_cast<std::size_t>(block)];
+    const double* at = numbers(block);
     return {at[k], at[blockSize + k], at[2 * blockSize + k]};
   }
 

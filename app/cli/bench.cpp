@@ -23,18 +23,23 @@ struct BenchCommand {
 std::string jsonText(const Measurements& m) {
   using Json = nlohmann::ordered_json;
   const auto orNull = [](const std::optional<double>& number) { return number ? Json(*number) : Json(); };
-  const Json json{
-      {"vertices", m.vertices},
-      {"seconds",
-       {{"qhull", orNull(m.qhull)},
-        {"assemble", m.assemble},
-        {"parameterize", m.parameterize},
-        {"deform_all", m.deformAll},
-        {"deform_one", m.deformOne},
-        {"eigen_eq7", m.eigenEq7},
-        {"triad_bytes_per_second", m.triadBytesPerSecond}}},
-      {"ratios",
-       {{"assemble_qhull", orNull(m.timesQhull(m.assemble))}, {"deform_bandwidth", m.deformBandwidth()}}}};
+  const Json json{{"vertices", m.vertices},
+                  {"seconds",
+                   {{"qhull", orNull(m.qhull)},
+                    {"assemble", m.assemble},
+                    {"parameterize", m.parameterize},
+                    {"deform_all", m.deformAll},
+                    {"deform_one", m.deformOne},
+                    {"eigen_eq7", m.eigenEq7},
+                    {"triad_bytes_per_second", m.triadBytesPerSecond},
+                    {"assemble_10000_points", m.assembleMany},
+                    {"parameterize_brute_force", m.bruteForce}}},
+                  {"ratios",
+                   {{"assemble_qhull", orNull(m.timesQhull(m.assemble))},
+                    {"deform_bandwidth", m.deformBandwidth()},
+                    {"parameterize_qhull", orNull(m.timesQhull(m.parameterize))},
+                    {"assemble_10000_points", m.assembleMany / m.assemble},
+                    {"brute_force_parameterize", m.bruteForce / m.parameterize}}}};
   return json.dump() + "\n";
 }
 
@@ -56,7 +61,11 @@ std::string tableText(const BenchCommand& command, const Measurements& m) {
   return format("{}: {} vertices, {} control points, {:.1f} a vertex, {} threads\n", command.mesh.string(),
                 grouped(m.vertices), grouped(m.points), m.influences, threadCount()) +
          qhullRow(m) + row("Assemble the control points", m.assemble, byQhull(m.assemble, 2)) +
+         row("Assemble 10,000 points", m.assembleMany,
+             format("{:.1f} x as long", m.assembleMany / m.assemble)) +
          row("Parameterize the mesh", m.parameterize, byQhull(m.parameterize, 4)) +
+         row("Every vertex and every point", m.bruteForce,
+             format("parameterizing is {:.1f} x faster", m.bruteForce / m.parameterize)) +
          row("Deform, all points moved", m.deformAll,
              format("{:.2f} of the memory's bandwidth ({:.1f} GB/s)", m.deformBandwidth(),
                     1e-9 * m.triadBytesPerSecond)) +

@@ -71,6 +71,27 @@ double measureTriad(const Progress& progress) {
   return 3.0 * sizeof(float) * count / seconds;
 }
 
+/// Every vertex against every control point, keeping nothing but sums: what parameterize() would take without
+/// its search.
+double measureBruteForce(const RestMesh& mesh, const ControlSet& set, const Progress& progress) {
+  std::vector<Region> regions;
+  for (const ControlPoint& point : set.finest()) {
+    regions.emplace_back(point.rest);
+  }
+  std::vector<double> sums(static_cast<std::size_t>(mesh.vertexCount()));
+  return medianSeconds(progress, [&] {
+    parallelFor(sums.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const Vec3 vertex = mesh.positions().row(static_cast<Eigen::Index>(v));
+        sums[v] = set.master.value;
+        for (const Region& region : regions) {
+          sums[v] += basisValue(set.basis, region.squaredDistance(vertex));
+        }
+      }
+    });
+  });
+}
+
 double influencesOf(const Parameterization& weights) {
   double sum = 0.0;
   for (const std::uint16_t members : weights.members) {
@@ -171,6 +192,11 @@ Measurements measure(const Mesh& mesh, const PlacementOptions& options, const Pr
   result.assemble = medianSeconds(
       progress, [&] { rest = std::make_shared<const RestMesh>(mesh); },
       [&] { placed = placeControlPoints(rest, options, progress); });
+  PlacementOptions many = options;
+  many.points = Measurements::many;
+  result.assembleMany = medianSeconds(
+      progress, [&] { rest = std::make_shared<const RestMesh>(mesh); },
+      [&] { placeControlPoints(rest, many, progress); });
   progress.report("Qhull on every vertex");
   if (!areCoplanar(mesh.positions)) {
     result.qhull = medianSeconds(progress, [&] { voronoiVertices(mesh.positions, progress); });
@@ -184,6 +210,7 @@ Measurements measure(const Mesh& mesh, const PlacementOptions& options, const Pr
         parameterize(*rest, set.basis, set.master, set.finest(), progress));
   });
   result.influences = influencesOf(*weights);
+  result.bruteForce = measureBruteForce(*rest, set, progress);
   progress.report("Deformation");
   result.triadBytesPerSecond = measureTriad(progress);
   measureDeformation(rest, set, weights, progress, result);

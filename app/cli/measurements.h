@@ -10,13 +10,17 @@ namespace pbffd::cli {
 
 /// How long each step takes on one mesh, in seconds: medians of some runs (contract, section 1, `bench`).
 struct Measurements {
+  static constexpr Index many = 10000;
+
   Index vertices = 0;
   Index points = 0;
   double influences = 0.0;    ///< control points a vertex, the master not counted
   /// The Voronoi vertices of every vertex; none where the vertices lie in a plane, which has no such diagram.
   std::optional<double> qhull;
   double assemble = 0.0;      ///< placing the control points, with its own Voronoi diagram
+  double assembleMany = 0.0;  ///< the same for `many` points
   double parameterize = 0.0;  ///< their weights on every vertex
+  double bruteForce = 0.0;    ///< the values of every control point at every vertex, on the same threads
   double deformAll = 0.0;     ///< new positions of all vertices after all points moved
   double deformOne = 0.0;     ///< the same after one moved
   double eigenEq7 = 0.0;      ///< V = WP + DA with sparse matrices, in double precision, on one thread

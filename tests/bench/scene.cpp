@@ -138,6 +138,10 @@ double fullPassSeconds(Scene& scene, bool turned) {
   return seconds[25];
 }
 
+Mesh growingMesh() {
+  return test::triangulated(meshFile().empty() ? test::sphere(160, 320) : readMesh(meshFile()));
+}
+
 double triadBytesPerSecond() {
   constexpr std::size_t count = std::size_t{1} << 24;
   static LargeArray<float> a(count, 0.0F);

@@ -22,7 +22,10 @@ struct Scene {
 /// when first asked for.
 Scene& theScene();
 
-/// The file to take instead of the sphere; to be called before theScene().
+/// The same file's mesh in triangles, or else a sphere of 100,000 triangles: what grows by subdivision.
+Mesh growingMesh();
+
+/// The file to take instead of the spheres; to be called before theScene().
 void useMesh(const std::string& file);
 
 /// Weights with `reach` all.

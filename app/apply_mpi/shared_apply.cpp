@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace pbffd::mpi {
@@ -112,8 +111,7 @@ void cleanUpWhenEnded(InterruptWatch& watch, const WorkNotes& notes, const Parti
                       const std::filesystem::path& folder) {
   watch.setLastWords([notes, partition, folder] {
     const std::string words = lastWords(notes.lost(), partition);
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
+    removeStaged(folder);
     return words;
   });
 }

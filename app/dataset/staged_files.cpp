@@ -29,7 +29,7 @@ StagedFiles::StagedFiles(const Shared& shared)
 StagedFiles::~StagedFiles() {
   std::error_code ignored;
   if (ownsFolder_) {
-    fs::remove_all(folder_, ignored);
+    removeStaged(folder_);
     return;
   }
   for (const File& file : files_) {
@@ -47,6 +47,15 @@ void StagedFiles::write(const fs::path& target, std::string_view bytes) {
   RawFile file = RawFile::forWriting(add(target), target);
   file.write(0, bytes);
   file.close();
+}
+
+void removeStaged(const fs::path& folder) {
+  // It gives up where a file that it listed is gone; what is left is less each time.
+  constexpr int mostTries = 100;
+  std::error_code failure;
+  for (int tries = 0; tries < mostTries && fs::exists(folder, failure); ++tries) {
+    fs::remove_all(folder, failure);
+  }
 }
 
 void StagedFiles::commit() {

@@ -50,4 +50,7 @@ class StagedFiles {
   std::vector<File> files_;
 };
 
+/// Removes a folder of staged files, while other processes may be removing from it too.
+void removeStaged(const std::filesystem::path& folder);
+
 }  // namespace pbffd

@@ -6,7 +6,7 @@
 
 namespace pbffd {
 
-/// How the faces of a mesh hang together, whatever they are: what half-edges cannot hold counts too.
+/// How the faces of a mesh hang together; built with OpenMesh half-edges where they can hold the mesh.
 struct Topology {
   Index components = 0;                 ///< connected by edges; isolated vertices do not count
   Index boundaryEdges = 0;              ///< edges of one face

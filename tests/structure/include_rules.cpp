@@ -67,6 +67,7 @@ const std::vector<Library>& libraries() {
       {"VTK", std::regex("vtk.*|QVTK.*"), {"ui/views/", "app/dataset/", "app/apply_mpi/ranks.cpp"}},
       {"Qt", std::regex("Q[A-Zt].*|q[a-z]+\\.h"), {"ui/", "app/workbench/"}},
       {"Qhull", std::regex("libqhull.*"), {"core/mesh/qhull_delaunay.cpp"}},
+      {"OpenMesh", std::regex("OpenMesh/.*"), {"core/mesh/topology.cpp"}},
       {"nanoflann", std::regex("nanoflann.*"), {"core/mesh/nearest.cpp"}},
       {"TBB", std::regex("(oneapi/)?tbb(/.*|\\.h)"), {"core/base/parallel.cpp"}},
       {"OpenSSL", std::regex("openssl/.*"), {"core/base/file.cpp"}},

@@ -60,6 +60,7 @@ class LayersTest : public QObject {
     row("ui looks at app", "ui/window/main_window.cpp", "\"app/dataset/reader.h\"");
     row("the command line looks at ui", "app/cli/main.cpp", "\"ui/document/document.h\"");
     row("Qhull outside its file", "core/ffd/placement/placement.cpp", "<libqhull_r/qhull_ra.h>");
+    row("OpenMesh outside its file", "core/mesh/mesh.cpp", "<OpenMesh/Core/Mesh/TriMesh.hh>");
     row("nanoflann outside its file", "core/mesh/nearest.h", "<nanoflann.hpp>");
     row("TBB outside its file", "core/ffd/deform/deformation.cpp", "<tbb/parallel_for.h>");
     row("OpenSSL outside its file", "core/project/project_file.cpp", "<openssl/evp.h>");

@@ -27,18 +27,10 @@ fs::path relativeName(const fs::path& name) {
   return relative;
 }
 
-bool isSameFolder(const fs::path& a, const fs::path& b) {
-  const auto folder = [](const fs::path& path) {
-    return path.parent_path().empty() ? fs::path(".") : path.parent_path();
-  };
-  std::error_code notThere;
-  return fs::equivalent(folder(a), folder(b), notThere);
-}
-
-/// Where below the folder of the new index the pieces go; empty for that folder itself.
+/// Where below the folder of the new index the pieces go; empty for that folder itself. Two indexes that are
+/// made of one source must not share pieces.
 fs::path piecesFolder(const fs::path& index, const fs::path& target) {
-  const bool isInPlace = index.filename() == target.filename();
-  return isSameFolder(index, target) && !isInPlace ? target.stem() : fs::path();
+  return index.filename() == target.filename() ? fs::path() : target.stem();
 }
 
 void requirePieces(const Partition& partition) {

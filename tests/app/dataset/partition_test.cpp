@@ -24,12 +24,23 @@ class PartitionTest : public QObject {
     std::filesystem::create_directories(folder_ / "out");
   }
 
-  void piecesKeepTheirNamesInAnotherFolder() {
+  void piecesKeepTheirNamesUnderTheSameName() {
     test::writePartition(folder_ / "in/run.pvtu", 3);
-    applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / "out/bent.pvtu");
-    QCOMPARE(readFile(folder_ / "out/bent.pvtu"), readFile(folder_ / "in/run.pvtu"));
-    QCOMPARE(test::namesIn(folder_ / "out"), (std::vector<std::string>{"bent.pvtu", "run"}));
+    applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / "out/run.pvtu");
+    QCOMPARE(readFile(folder_ / "out/run.pvtu"), readFile(folder_ / "in/run.pvtu"));
+    QCOMPARE(test::namesIn(folder_ / "out"), (std::vector<std::string>{"run", "run.pvtu"}));
     QCOMPARE(test::namesIn(folder_ / "out/run"), test::namesIn(folder_ / "in/run"));
+  }
+
+  void secondOutputLeavesThePiecesOfTheFirst() {
+    test::writePartition(folder_ / "in/run.pvtu", 3);
+    applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / "out/a.pvtu");
+    const auto firstPiece = [&] { return readFile(folder_ / "out/a/run/0.vtu"); };
+    const std::string before = firstPiece();
+    applyToFile(test::restingProject(), folder_ / "in/run.pvtu", folder_ / "out/b.pvtu");
+    QVERIFY(firstPiece() == before);
+    QVERIFY(readFile(folder_ / "out/b/run/0.vtu") != before);
+    QVERIFY(QByteArray::fromStdString(readFile(folder_ / "out/b.pvtu")).contains("Source=\"b/run/0.vtu\""));
   }
 
   void piecesGoToAFolderOfTheirOwnBesideTheSource() {

@@ -61,7 +61,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& path) : path_(path) {
   if (!json_.is_object() || !json_.contains("asset")) {
     fail("its JSON has no \"asset\", so it is no glTF 2.0");
   }
-  readBuffers();
+  guarded([this] { readBuffers(); });
 }
 
 void GltfDocument::readBinary(const std::string& bytes) {
@@ -148,6 +148,10 @@ std::int64_t GltfDocument::count(std::size_t accessor) const {
 }
 
 GltfDocument::Place GltfDocument::placeOf(std::size_t accessor, int width) const {
+  return guarded([&] { return findPlace(accessor, width); });
+}
+
+GltfDocument::Place GltfDocument::findPlace(std::size_t accessor, int width) const {
   const auto total = static_cast<std::size_t>(count(accessor));
   const Json& entry = list("accessors")[accessor];
   const std::string type = format("VEC{}", width);
@@ -214,14 +218,25 @@ void GltfDocument::setRows(std::size_t accessor, const Rows& rows) {
   }
   Json& entry = json_["accessors"][accessor];
   for (const char* key : {"min", "max"}) {
-    for (std::size_t k = 0; entry.contains(key) && place.count > 0 && k < entry[key].size(); ++k) {
-      const auto column = singles.col(static_cast<Eigen::Index>(k));
-      entry[key][k] = std::string_view(key) == "min" ? column.minCoeff() : column.maxCoeff();
+    if (!entry.contains(key) || place.count == 0) {
+      continue;
     }
+    Json bounds = Json::array();
+    for (const auto column : singles.colwise()) {
+      bounds.push_back(std::string_view(key) == "min" ? column.minCoeff() : column.maxCoeff());
+    }
+    if (!entry[key].is_array() || entry[key].size() != bounds.size()) {
+      fail(format("\"{}\" of accessor {} should have {} numbers", key, accessor, bounds.size()));
+    }
+    entry[key] = std::move(bounds);
   }
 }
 
 GltfDocument::Files GltfDocument::encode(const std::filesystem::path& target) const {
+  return guarded([&] { return encodeAs(target); });
+}
+
+GltfDocument::Files GltfDocument::encodeAs(const std::filesystem::path& target) const {
   Files files;
   Json json = json_;
   for (std::size_t b = 0; b < buffers_.size(); ++b) {
@@ -244,6 +259,10 @@ GltfDocument::Files GltfDocument::encode(const std::filesystem::path& target) co
 }
 
 std::vector<std::string> GltfDocument::filesBeside() const {
+  return guarded([this] { return findFilesBeside(); });
+}
+
+std::vector<std::string> GltfDocument::findFilesBeside() const {
   std::vector<std::string> names;
   for (const Json& image : list("images")) {
     const std::string uri = image.value("uri", std::string());

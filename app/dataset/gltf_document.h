@@ -46,6 +46,16 @@ class GltfDocument {
 
   [[noreturn]] void fail(const std::string& what) const;
 
+  /// Does something with the JSON, which may hold values of any type anywhere; fails where they are wrong.
+  template <class Work>
+  auto guarded(const Work& work) const {
+    try {
+      return work();
+    } catch (const nlohmann::json::exception& error) {
+      fail(std::string("its JSON is not as glTF 2.0 wants it: ") + error.what());
+    }
+  }
+
  private:
   enum class Storage { chunk, text, file };
   struct Buffer {
@@ -64,6 +74,9 @@ class GltfDocument {
   void readBuffers();
   std::size_t number(const nlohmann::ordered_json& object, const char* key, std::size_t otherwise) const;
   Place placeOf(std::size_t accessor, int width) const;
+  Place findPlace(std::size_t accessor, int width) const;
+  Files encodeAs(const std::filesystem::path& target) const;
+  std::vector<std::string> findFilesBeside() const;
   std::string encodeBinary(const nlohmann::ordered_json& json) const;
 
   std::filesystem::path path_;

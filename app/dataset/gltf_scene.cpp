@@ -175,11 +175,7 @@ class SceneReader {
 }  // namespace
 
 GltfScene sceneOf(const GltfDocument& document) {
-  try {
-    return SceneReader(document).read();
-  } catch (const nlohmann::json::exception& error) {
-    document.fail(format("its JSON is not as glTF 2.0 wants it: {}", error.what()));
-  }
+  return document.guarded([&] { return SceneReader(document).read(); });
 }
 
 }  // namespace pbffd

@@ -189,6 +189,13 @@ class GltfTest : public QObject {
     row("a short scale", R"([{"op":"replace","path":"/nodes/0/scale","value":[1]}])", "scale");
     row("no asset", R"([{"op":"remove","path":"/asset"}])", "asset");
     row("a longer buffer", R"([{"op":"replace","path":"/buffers/0/byteLength","value":999}])", "buffer 0");
+    row("a name of a buffer that is none", R"([{"op":"add","path":"/buffers/0/uri","value":5}])", "string");
+    row("a buffer that is none", R"([{"op":"replace","path":"/buffers","value":[5]}])", "JSON");
+    row("a type that is none", R"([{"op":"replace","path":"/accessors/0/type","value":5}])", "string");
+    row("bounds of another size", R"([{"op":"replace","path":"/accessors/0/min","value":[0,0,0,0,0]}])",
+        "\"min\" of accessor 0");
+    row("bounds that are none", R"([{"op":"replace","path":"/accessors/0/max","value":{"x":1}}])",
+        "\"max\" of accessor 0");
     row("no points", R"([{"op":"replace","path":"/meshes","value":[]},{"op":"remove","path":"/nodes/1/mesh"}])",
         "no points");
   }

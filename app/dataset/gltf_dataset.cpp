@@ -87,7 +87,7 @@ class GltfDataset : public Dataset {
       Mat3& gradient = gradients[static_cast<std::size_t>(i)];
       gradient = toLocal * gradient * toScene;
     }
-    document_.setRows(accessor, result);
+    store(accessor, result);
     for (const std::size_t normals : positions.normals) {
       turn(normals, gradients, FieldKind::normal, 3);
     }
@@ -111,7 +111,17 @@ class GltfDataset : public Dataset {
         rows.row(i).head<3>() = after.normalized() * before.norm();
       }
     }
+    store(accessor, rows);
+  }
+
+  void store(std::size_t accessor, const GltfDocument::Rows& rows) {
     document_.setRows(accessor, rows);
+    // The same bytes again, for the bounds that stand with each accessor.
+    if (const auto twins = scene_.twins.find(accessor); twins != scene_.twins.end()) {
+      for (const std::size_t twin : twins->second) {
+        document_.setRows(twin, rows);
+      }
+    }
   }
 
   std::vector<std::string> remarks(const std::filesystem::path& target, const Carrying& carrying) const {

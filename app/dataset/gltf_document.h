@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -25,8 +26,19 @@ class GltfDocument {
 
   std::int64_t count(std::size_t accessor) const;
 
-  /// The rows of an accessor of real numbers, `width` a row: N x width. Throws InvalidInput where it is of
-  /// another kind, or reaches beyond its buffer.
+  /// Where the rows of an accessor lie, in bytes.
+  struct Place {
+    std::size_t buffer;
+    std::size_t begin;
+    std::size_t stride;
+    std::size_t count;
+    auto operator<=>(const Place&) const = default;
+  };
+  /// Of an accessor of real numbers, `width` a row. Throws InvalidInput where it is of another kind, or reaches
+  /// beyond its buffer.
+  Place placeOf(std::size_t accessor, int width) const;
+
+  /// Its rows: N x width. Throws as placeOf() does.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Rows rows(std::size_t accessor, int width) const;
 
@@ -63,17 +75,9 @@ class GltfDocument {
     Storage storage = Storage::chunk;
     bool isChanged = false;
   };
-  struct Place {
-    std::size_t buffer;
-    std::size_t begin;
-    std::size_t stride;
-    std::size_t count;
-  };
-
   void readBinary(const std::string& bytes);
   void readBuffers();
   std::size_t number(const nlohmann::ordered_json& object, const char* key, std::size_t otherwise) const;
-  Place placeOf(std::size_t accessor, int width) const;
   Place findPlace(std::size_t accessor, int width) const;
   Files encodeAs(const std::filesystem::path& target) const;
   std::vector<std::string> findFilesBeside() const;

@@ -4,7 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pbffd {
@@ -132,43 +135,78 @@ class SceneReader {
       document_.fail(format("mesh {} is compressed (Draco); save the model without compression", mesh));
     }
     const auto attributes = primitive.find("attributes");
-    const auto position = attributes == primitive.end() ? std::nullopt : indexIn(*attributes, "POSITION");
-    if (!position) {
+    const auto named = attributes == primitive.end() ? std::nullopt : indexIn(*attributes, "POSITION");
+    if (!named) {
       return;
     }
+    const std::size_t position = rowsOf("POSITION", *named, 3);
     const AffineMap map = meshMaps_[mesh].value_or(identityMap());
-    const auto [at, isNew] = scene_.positions.try_emplace(*position);
+    const auto [at, isNew] = scene_.positions.try_emplace(position);
     if (!isNew && at->second.toScene != map) {
       document_.fail(
           format("accessor {} is shared by meshes in several places of the scene, and cannot be bent in "
                  "each; save the model with buffers of their own",
-                 *position));
+                 position));
     }
     at->second.toScene = map;
-    claim(indexIn(*attributes, "NORMAL"), *position, at->second.normals);
-    claim(indexIn(*attributes, "TANGENT"), *position, at->second.tangents);
+    claim(*attributes, "NORMAL", 3, position, at->second.normals);
+    claim(*attributes, "TANGENT", 4, position, at->second.tangents);
     scene_.hasMorphTargets = scene_.hasMorphTargets || primitive.contains("targets");
   }
 
   /// An array that turns with these positions cannot turn with others as well.
-  void claim(const std::optional<std::size_t>& accessor, std::size_t position, std::set<std::size_t>& mine) {
-    if (!accessor) {
+  void claim(const Json& attributes, const char* role, int width, std::size_t position,
+             std::set<std::size_t>& mine) {
+    const auto named = indexIn(attributes, role);
+    if (!named) {
       return;
     }
-    const auto [at, isNew] = owners_.try_emplace(*accessor, position);
+    const std::size_t accessor = rowsOf(role, *named, width);
+    const auto [at, isNew] = owners_.try_emplace(accessor, position);
     if (!isNew && at->second != position) {
       document_.fail(
           format("accessor {} gives normals or tangents to two sets of positions; save the model with "
                  "buffers of their own",
-                 *accessor));
+                 accessor));
     }
-    mine.insert(*accessor);
+    mine.insert(accessor);
+  }
+
+  /// The accessor that stands for the rows of this one: the first with the very same bytes in this role.
+  std::size_t rowsOf(const char* role, std::size_t accessor, int width) {
+    const GltfDocument::Place place = document_.placeOf(accessor, width);
+    const auto [at, isNew] = standFor_.try_emplace({role, place}, accessor);
+    if (isNew) {
+      claimBytes(place, accessor, sizeof(float) * static_cast<std::size_t>(width));
+    } else if (at->second != accessor) {
+      scene_.twins[at->second].insert(accessor);
+    }
+    return at->second;
+  }
+
+  /// Bytes that change in two ways would change twice.
+  void claimBytes(const GltfDocument::Place& place, std::size_t accessor, std::size_t rowBytes) {
+    std::vector<bool>& taken = taken_[place.buffer];
+    taken.resize(std::max(taken.size(), place.begin + place.count * place.stride));
+    for (std::size_t i = 0; i < place.count; ++i) {
+      const auto row = taken.begin() + static_cast<std::ptrdiff_t>(place.begin + i * place.stride);
+      const auto end = row + static_cast<std::ptrdiff_t>(rowBytes);
+      if (std::find(row, end, true) != end) {
+        document_.fail(
+            format("accessor {} lies over bytes of other positions, normals or tangents; save the model with "
+                   "buffers of their own",
+                   accessor));
+      }
+      std::fill(row, end, true);
+    }
   }
 
   const GltfDocument& document_;
   GltfScene scene_;
   std::vector<std::optional<AffineMap>> meshMaps_;
   std::map<std::size_t, std::size_t> owners_;
+  std::map<std::pair<std::string_view, GltfDocument::Place>, std::size_t> standFor_;
+  std::map<std::size_t, std::vector<bool>> taken_;  ///< by buffer
   std::size_t visits_ = 0;
 };
 

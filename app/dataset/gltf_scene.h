@@ -17,6 +17,8 @@ struct GltfPositions {
 
 struct GltfScene {
   std::map<std::size_t, GltfPositions> positions;  ///< by accessor
+  /// Accessors of the very same bytes as one of those above, which alone stands for them.
+  std::map<std::size_t, std::set<std::size_t>> twins;
   bool hasMorphTargets = false;
 };
 

@@ -133,6 +133,24 @@ class GltfTest : public QObject {
     QCOMPARE(after.json()["nodes"].dump(), before.json()["nodes"].dump());
   }
 
+  void bytesUnderTwoNumbersMoveOnce() {
+    Json json = model();
+    for (const int original : {0, 1, 2}) {
+      json["accessors"].push_back(json["accessors"][original]);
+    }
+    json["meshes"][0]["primitives"].push_back(
+        Json::parse(R"({"attributes": {"POSITION": 3, "NORMAL": 4, "TANGENT": 5}})"));
+    const Project project = test::bentProject();
+    applyToFile(project, folder_ / write("binary", model()), folder_ / "out/once.glb");
+    const ApplyReport report = applyToFile(project, folder_ / write("binary", json), folder_ / "out/twice.glb");
+    QCOMPARE(report.points, std::int64_t{rowCount});
+    const GltfDocument once(folder_ / "out/once.glb");
+    const GltfDocument twice(folder_ / "out/twice.glb");
+    QVERIFY(twice.rows(3, 3) == once.rows(0, 3) && twice.rows(4, 3) == once.rows(1, 3));
+    QVERIFY(twice.rows(5, 4) == once.rows(2, 4));
+    QCOMPARE(twice.json()["accessors"][3].dump(), once.json()["accessors"][0].dump());
+  }
+
   void unmovedModelKeepsEveryByte() {
     const std::string name = write("binary", model());
     applyToFile(test::restingProject(), folder_ / name, folder_ / "out" / name);
@@ -196,6 +214,11 @@ class GltfTest : public QObject {
         "\"min\" of accessor 0");
     row("bounds that are none", R"([{"op":"replace","path":"/accessors/0/max","value":{"x":1}}])",
         "\"max\" of accessor 0");
+    row("rows over other rows", R"([{"op":"replace","path":"/accessors/1/byteOffset","value":8}])",
+        "accessor 1 lies over");
+    row("normals that are the positions",
+        R"([{"op":"replace","path":"/meshes/0/primitives/0/attributes/NORMAL","value":0}])",
+        "accessor 0 lies over");
     row("no points", R"([{"op":"replace","path":"/meshes","value":[]},{"op":"remove","path":"/nodes/1/mesh"}])",
         "no points");
   }

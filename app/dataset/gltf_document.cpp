@@ -1,6 +1,7 @@
 #include "app/dataset/gltf_document.h"
 
 #include "app/dataset/dataset.h"
+#include "app/dataset/gltf_file_names.h"
 #include "app/dataset/gltf_text.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 namespace pbffd {
@@ -239,6 +241,7 @@ GltfDocument::Files GltfDocument::encode(const std::filesystem::path& target) co
 GltfDocument::Files GltfDocument::encodeAs(const std::filesystem::path& target) const {
   Files files;
   Json json = json_;
+  std::optional<GltfFileNames> names;
   for (std::size_t b = 0; b < buffers_.size(); ++b) {
     const Buffer& buffer = buffers_[b];
     if (!buffer.isChanged || buffer.storage == Storage::chunk) {
@@ -249,8 +252,10 @@ GltfDocument::Files GltfDocument::encodeAs(const std::filesystem::path& target) 
       json["buffers"][b]["uri"] = uri.substr(0, uri.find(',') + 1) + toBase64(buffer.bytes);
       continue;
     }
-    const std::string number = files.buffers.empty() ? std::string() : format("_{}", files.buffers.size());
-    const std::string name = format("{}{}.bin", target.stem().string(), number);
+    if (!names) {
+      names.emplace(*this, target);
+    }
+    const std::string name = names->nameFor(b);
     json["buffers"][b]["uri"] = toUri(name);
     files.buffers.emplace_back(name, &buffer.bytes);
   }

@@ -165,6 +165,44 @@ class GltfTest : public QObject {
     QCOMPARE(after.json()["buffers"][0]["uri"].get<std::string>(), std::string("bent%20model.bin"));
   }
 
+  void buffersNeverTakeThePlaceOfOtherFiles() {
+    Json json = model();
+    json["buffers"].push_back(Json::parse(R"({"byteLength": 4, "uri": "bent.bin"})"));
+    json["images"] = Json::parse(R"([{"uri": "bent_1.bin"}])");
+    writeFileAtomically(folder_ / "bent.bin", "else");
+    writeFileAtomically(folder_ / "out/bent.bin", "mine");
+    writeFileAtomically(folder_ / "out/bent_2.bin", "mine");
+    const std::string name = write("file", json);
+    applyToFile(test::bentProject(), folder_ / name, folder_ / "out/bent.gltf");
+    QCOMPARE(readFile(folder_ / "out/bent.bin"), std::string("mine"));
+    QCOMPARE(readFile(folder_ / "out/bent_2.bin"), std::string("mine"));
+    const std::vector<std::string> names{"bent.bin", "bent.gltf", "bent_2.bin", "bent_3.bin"};
+    QCOMPARE(test::namesIn(folder_ / "out"), names);
+    applyToFile(test::bentProject(), folder_ / "out/bent.gltf", folder_ / "out/bent.gltf");
+    QCOMPARE(test::namesIn(folder_ / "out"), names);
+    QCOMPARE(readFile(folder_ / "out/bent.bin"), std::string("mine"));
+  }
+
+  void secondApplicationReplacesTheBuffersOfTheFirst() {
+    const std::string name = write("file", model());
+    for (int times = 0; times < 2; ++times) {
+      applyToFile(test::bentProject(), folder_ / name, folder_ / "out/bent.gltf");
+      QCOMPARE(test::namesIn(folder_ / "out"), (std::vector<std::string>{"bent.bin", "bent.gltf"}));
+    }
+  }
+
+  void buffersOfTheSourceStay() {
+    const std::string name = write("file", model());
+    std::string json = readFile(folder_ / name);
+    json.replace(json.find("the%20data"), 10, "the_data");
+    writeFileAtomically(folder_ / "the_data.bin", bufferBytes());
+    writeFileAtomically(folder_ / name, json);
+    writeFileAtomically(folder_ / "the_data.gltf", json);
+    applyToFile(test::bentProject(), folder_ / name, folder_ / "the_data.gltf");
+    QVERIFY(readFile(folder_ / "the_data.bin") == bufferBytes());
+    QVERIFY(GltfDocument(folder_ / "the_data.gltf").rows(0, 3) != GltfDocument(folder_ / name).rows(0, 3));
+  }
+
   void skinnedMeshIsPlacedByNoNode() {
     Json json = model();
     json["skins"] = Json::parse(R"([{"joints": [0]}])");

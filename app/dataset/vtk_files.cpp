@@ -176,7 +176,8 @@ void writeLegacy(const VtkFile& file, const std::filesystem::path& path, const s
                  const Progress& progress) {
   const vtkNew<Writer> writer;
   writer->SetInputData(file.data);
-  writer->SetFileType(file.legacyType);
+  // As text VTK writes six to eleven digits of each number, which would change every array.
+  writer->SetFileType(VTK_BINARY);
   writer->SetHeader(file.title.c_str());
   writer->SetFileVersion(file.legacy.version < 50 ? vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2
                                                   : vtkDataWriter::VTK_LEGACY_READER_VERSION_5_1);

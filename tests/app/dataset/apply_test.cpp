@@ -18,6 +18,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 Q_DECLARE_METATYPE(pbffd::test::XmlMode)
 
 namespace pbffd {
@@ -123,7 +125,7 @@ class ApplyTest : public QObject {
     QVERIFY(test::pointsOf(*test::readBack(folder_ / "a.vtu")) == deformed(project, test::pointsOf(*grid)));
   }
 
-  void legacyFilesKeepTheirVersionTypeAndTitle_data() {
+  void legacyFilesKeepTheirVersionNumbersAndTitle_data() {
     QTest::addColumn<bool>("isBinary");
     QTest::addColumn<int>("version");
     QTest::newRow("text 4.2") << false << 42;
@@ -131,23 +133,48 @@ class ApplyTest : public QObject {
     QTest::newRow("text 5.1") << false << 51;
     QTest::newRow("binary 5.1") << true << 51;
   }
-  void legacyFilesKeepTheirVersionTypeAndTitle() {
+  void legacyFilesKeepTheirVersionNumbersAndTitle() {
     QFETCH(bool, isBinary);
     QFETCH(int, version);
     const auto grid = test::hexahedra(5, false);
     test::writeLegacy(folder_ / "a.vtk", *grid, isBinary, version);
     const Project project = test::bentProject();
-    applyToFile(project, folder_ / "a.vtk", folder_ / "b.vtk");
+    const ApplyReport report = applyToFile(project, folder_ / "a.vtk", folder_ / "b.vtk");
+    const bool isTold = std::any_of(report.remarks.begin(), report.remarks.end(), [](const std::string& remark) {
+      return remark.find("legacy file of text") != std::string::npos;
+    });
+    QCOMPARE(isTold, !isBinary);
     const auto lines = [&](const char* name) {
       return QByteArray::fromStdString(readFile(folder_ / name)).split('\n').mid(0, 4);
     };
-    QCOMPARE(lines("b.vtk"), lines("a.vtk"));
+    QList<QByteArray> expected = lines("a.vtk");
+    expected[2] = "BINARY";
+    QCOMPARE(lines("b.vtk"), expected);
     const auto result = test::readBack(folder_ / "b.vtk");
-    const Points rest = test::pointsOf(*test::readBack(folder_ / "a.vtk"));
-    QVERIFY((test::pointsOf(*result) - deformed(project, rest)).norm() < 1e-4);
+    const auto source = test::readBack(folder_ / "a.vtk");
+    QVERIFY(test::pointsOf(*result) == inSinglePrecision(deformed(project, test::pointsOf(*source))));
     QCOMPARE(test::pointArray(*result, "velocity").rows(), Eigen::Index{216});
-    QCOMPARE(test::pointArray(*result, "Normals").rows(), Eigen::Index{216});
+    for (const char* name : {"velocity", "Normals"}) {
+      QVERIFY(test::pointArray(*result, name) == test::pointArray(*source, name));
+    }
     QCOMPARE(test::cellArray(*result, "flux").rows(), Eigen::Index{125});
+    QVERIFY(test::cellArray(*result, "flux") == test::cellArray(*source, "flux"));
+  }
+
+  void legacyTextKeepsEveryDigit() {
+    writeFileAtomically(folder_ / "a.vtk",
+                        "# vtk DataFile Version 3.0\nprecise\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 double\n"
+                        "1000.0625 5.123456789012345 7\n0.9 0.1 0\nCELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n"
+                        "POINT_DATA 2\nSCALARS heat double\nLOOKUP_TABLE default\n0.12345678901234567 1e300\n");
+    const Project project = test::bentProject();
+    applyToFile(project, folder_ / "a.vtk", folder_ / "b.vtk");
+    const auto result = test::readBack(folder_ / "b.vtk");
+    const Points points = test::pointsOf(*result);
+    QVERIFY(points == deformed(project, test::pointsOf(*test::readBack(folder_ / "a.vtk"))));
+    QVERIFY(points(0, 0) == 1000.0625 && points(0, 1) == 5.123456789012345 && points(1, 0) != 0.9);
+    vtkDataArray* heat = result->GetPointData()->GetArray("heat");
+    QVERIFY(heat != nullptr);
+    QVERIFY(heat->GetTuple1(0) == 0.12345678901234567 && heat->GetTuple1(1) == 1e300);
   }
 
   void fieldsTurnOnRequest_data() {

@@ -57,7 +57,11 @@ class LayoutReader {
   LayoutReader(const std::filesystem::path& path, std::ifstream& file) : path_(path), file_(file) {
     layout_.header = headerOf(file);
     layout_.fileBytes = std::filesystem::file_size(path);
-    tags_ = scanXmlTags(layout_.header, "AppendedData");
+    try {
+      tags_ = scanXmlTags(layout_.header, "AppendedData");
+    } catch (const InvalidInput&) {
+      throw Unusual();
+    }
   }
 
   RawXmlLayout read() {

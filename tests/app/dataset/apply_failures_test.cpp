@@ -70,6 +70,7 @@ class ApplyFailuresTest : public QObject {
     row("cut short, legacy", "short.vtk", "b.vtk", "", "short.vtk: Error reading");
     row("points of no known type", "typeless.vtu", "b.vtu", "", "typeless.vtu");
     row("more points than bytes", "many.vtu", "b.vtu", "", "many.vtu: its header promises");
+    row("a malformed header", "malformed.vtu", "b.vtu", "", "malformed.vtu");
     row("not VTK", "words.vtu", "b.vtu", "", "words.vtu");
     row("not legacy VTK", "words.vtk", "b.vtk", "", "words.vtk");
     row("an image", "image.vtk", "b.vtk", "", "STRUCTURED_POINTS");
@@ -187,6 +188,9 @@ class ApplyFailuresTest : public QObject {
     std::string many = good;
     many.replace(many.find("NumberOfPoints=\"216\""), 20, "NumberOfPoints=\"9223372036854775807\"");
     put("many.vtu", many);
+    std::string malformed = good;
+    malformed.replace(malformed.find("Name=\"types\""), 12, "Name=types  ");
+    put("malformed.vtu", malformed);
     put("short.vtu", good.substr(0, good.size() / 2));
     test::writeXml(folder_ / "good.vtp", *test::polygons(), test::XmlMode::raw);
     const std::string surface = readFile(folder_ / "good.vtp");

@@ -5,6 +5,7 @@
 #include "app/dataset/raw_rows.h"
 #include "app/dataset/raw_xml_layout.h"
 #include "app/dataset/vtk_cell_kinds.h"
+#include "app/dataset/vtk_dataset.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -89,6 +90,9 @@ class RawXmlDataset : public Dataset {
   std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
                                  const Carrying& carrying) override {
     requireSameEnding(path_, target);
+    if (turnsCellArrays(carrying.transports)) {
+      return openVtkDataset(path_, carrying.progress)->write(target, staged, carrying);
+    }
     const std::vector<MovingPiece> moving = movingPieces(carrying.transports);
     RawFile out = RawFile::forWriting(staged.add(target), target);
     if (!carrying.space.movesAnything()) {
@@ -102,6 +106,13 @@ class RawXmlDataset : public Dataset {
   }
 
  private:
+  /// Those need the points of each cell, which lie anywhere in the file: VTK reads it whole then.
+  bool turnsCellArrays(const std::vector<Transport>& transports) const {
+    return std::any_of(transports.begin(), transports.end(), [&](const Transport& transport) {
+      return layout_.cellArrays.contains(transport.array);
+    });
+  }
+
   std::vector<MovingPiece> movingPieces(const std::vector<Transport>& transports) const {
     std::vector<MovingPiece> pieces;
     std::size_t first = 0;

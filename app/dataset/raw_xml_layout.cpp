@@ -140,6 +140,9 @@ class LayoutReader {
     if (tag.value("format") != "appended" || tag.find("TimeStep") != nullptr) {
       throw Unusual();
     }
+    if (parent == "CellData") {
+      layout_.cellArrays.insert(tag.value("Name"));
+    }
     const std::string type = tag.value("type");
     const bool isReal = type == "Float32" || type == "Float64";
     if (parent == "Cells" && tag.value("Name") == "types") {

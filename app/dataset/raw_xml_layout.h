@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct RawXmlLayout {
   std::uint64_t fileBytes = 0;
   bool isSwapped = false;  ///< the other byte order than the machine's
   std::vector<RawPiece> pieces;
+  std::set<std::string> cellArrays;  ///< the names of all arrays of cells
 };
 
 /// Nothing where the file is written in another way, or with anything unusual: VTK reads it then, or says

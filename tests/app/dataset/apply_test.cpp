@@ -205,9 +205,15 @@ class ApplyTest : public QObject {
     }
   }
 
+  void cellFieldsTurnAtTheCellsCenters_data() {
+    QTest::addColumn<test::XmlMode>("mode");
+    QTest::newRow("raw") << test::XmlMode::raw;
+    QTest::newRow("by VTK") << test::XmlMode::ascii;
+  }
   void cellFieldsTurnAtTheCellsCenters() {
+    QFETCH(test::XmlMode, mode);
     const auto grid = test::hexahedra(4, true);
-    test::writeXml(folder_ / "a.vtu", *grid, test::XmlMode::ascii);
+    test::writeXml(folder_ / "a.vtu", *grid, mode);
     const Project project = test::bentProject();
     applyToFile(project, folder_ / "a.vtu", folder_ / "b.vtu", {false, {parseTransport("flux:vector")}, {}});
     Points center(1, 3);

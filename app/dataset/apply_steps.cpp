@@ -149,10 +149,11 @@ ApplyReport stagePieces(const Partition& partition, const PieceShare& share, Sta
     begin(share, p);
     atPiece(partition, p, [&] {
       const auto dataset = openPiece(partition, p, carrying.progress);
+      const bool isFirstWithPoints = report.points == 0 && dataset->pointCount() > 0;
       report.points += dataset->pointCount();
       std::vector<std::string> remarks = dataset->write(partition.pieces[p].target, staged, carrying);
       // What is to be said of one piece is to be said of all.
-      if (p == 0) {
+      if (isFirstWithPoints) {
         report.remarks = std::move(remarks);
       }
       return 0;

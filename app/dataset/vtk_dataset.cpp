@@ -58,8 +58,10 @@ class VtkDataset : public Dataset {
   std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
                                  const Carrying& carrying) override {
     requireSameEnding(path_, target);
-    const VtkFields fields = fieldsOf(*file_.data, carrying.transports, path_);
+    VtkFields fields;
+    // A piece without points may lack the arrays that the others have.
     if (pointCount() > 0) {
+      fields = fieldsOf(*file_.data, carrying.transports, path_);
       deform(*file_.data, fields, carrying);
     }
     writeVtkFile(file_, staged.add(target), target, carrying.progress);

@@ -96,6 +96,19 @@ class PartitionTest : public QObject {
     QVERIFY(std::filesystem::exists(folder_ / "out/run/1.vtu"));
   }
 
+  void emptyPieceNeedsNoArraysAndHasNothingToSay() {
+    test::writePartition(folder_ / "in/run.pvtu", 3);
+    test::writeEmptyPiece(folder_ / "in/run/0.vtu");
+    ApplyOptions options;
+    options.transports = {parseTransport("velocity")};
+    const ApplyReport report =
+        applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / "out/run.pvtu", options);
+    QVERIFY(test::pointArray(*test::readBack(folder_ / "out/run/1.vtu"), "velocity") !=
+            test::pointArray(*test::readBack(folder_ / "in/run/1.vtu"), "velocity"));
+    QCOMPARE(report.remarks.size(), std::size_t{1});
+    QVERIFY(QString::fromStdString(report.remarks[0]).contains("--transport Normals"));
+  }
+
   void badInputNamesThePieceAndLeavesNothing_data() {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("said");

@@ -24,8 +24,9 @@ struct Partition {
 /// Whether the ending is that of a partitioned data set.
 bool isPartition(const std::filesystem::path& path);
 
-/// Reads the index; the deformed one will be `target`. Where both have one name the pieces keep theirs beside it,
-/// otherwise the new pieces go to a folder named after the target. Throws IoError, or InvalidInput that names the index and the piece: one that is missing, a name that stands twice.
+/// Reads the index; the deformed one will be `target`. Where both have one name the pieces keep theirs beside
+/// it, otherwise the new pieces go to a folder named after the target. Throws IoError, or InvalidInput that
+/// names the index and the piece: one that is missing, a name that stands twice.
 Partition readPartition(const std::filesystem::path& index, const std::filesystem::path& target);
 
 /// The text of the deformed index: the source's, with the pieces' new names.

@@ -75,10 +75,10 @@ class VtkDataset : public Dataset {
       remarks.push_back(format("VTK says of {}: {}.", path_.string(), warning));
     }
     if (file_.legacyType == VTK_ASCII) {
-      remarks.push_back(
-          format("{} is a legacy file of text, in which VTK drops digits; what was made of it holds its numbers in "
-                 "binary, so that nothing else changes.",
-                 path_.string()));
+      remarks.push_back(format(
+          "{} is a legacy file of text, in which VTK drops digits; what was made of it holds its numbers in "
+          "binary, so that nothing else changes.",
+          path_.string()));
     }
     vtkDataArray* normals = file_.data->GetPointData()->GetNormals();
     const bool isTransported = std::any_of(fields.ofPoints.begin(), fields.ofPoints.end(),

@@ -25,9 +25,8 @@ struct VtkFile {
 /// Throws IoError, or InvalidInput that names the file and says what VTK found wrong in it; Cancelled.
 VtkFile readVtkFile(const std::filesystem::path& path, const Progress& progress);
 
-/// Writes to `path`, in messages called `name`, with the settings of the file that was read; a legacy file is always
-/// binary, since VTK's text drops digits. Throws IoError,
-/// Cancelled; what was written is then not whole.
+/// Writes to `path`, in messages called `name`, with the settings of the file that was read; a legacy file is
+/// always binary, since VTK's text drops digits. Throws IoError, Cancelled; what was written is then not whole.
 void writeVtkFile(const VtkFile& file, const std::filesystem::path& path, const std::filesystem::path& name,
                   const Progress& progress);
 

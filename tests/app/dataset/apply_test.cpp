@@ -140,9 +140,9 @@ class ApplyTest : public QObject {
     test::writeLegacy(folder_ / "a.vtk", *grid, isBinary, version);
     const Project project = test::bentProject();
     const ApplyReport report = applyToFile(project, folder_ / "a.vtk", folder_ / "b.vtk");
-    const bool isTold = std::any_of(report.remarks.begin(), report.remarks.end(), [](const std::string& remark) {
-      return remark.find("legacy file of text") != std::string::npos;
-    });
+    const bool isTold = std::any_of(
+        report.remarks.begin(), report.remarks.end(),
+        [](const std::string& remark) { return remark.find("legacy file of text") != std::string::npos; });
     QCOMPARE(isTold, !isBinary);
     const auto lines = [&](const char* name) {
       return QByteArray::fromStdString(readFile(folder_ / name)).split('\n').mid(0, 4);
@@ -162,10 +162,11 @@ class ApplyTest : public QObject {
   }
 
   void legacyTextKeepsEveryDigit() {
-    writeFileAtomically(folder_ / "a.vtk",
-                        "# vtk DataFile Version 3.0\nprecise\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 double\n"
-                        "1000.0625 5.123456789012345 7\n0.9 0.1 0\nCELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n"
-                        "POINT_DATA 2\nSCALARS heat double\nLOOKUP_TABLE default\n0.12345678901234567 1e300\n");
+    writeFileAtomically(
+        folder_ / "a.vtk",
+        "# vtk DataFile Version 3.0\nprecise\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 double\n"
+        "1000.0625 5.123456789012345 7\n0.9 0.1 0\nCELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n"
+        "POINT_DATA 2\nSCALARS heat double\nLOOKUP_TABLE default\n0.12345678901234567 1e300\n");
     const Project project = test::bentProject();
     applyToFile(project, folder_ / "a.vtk", folder_ / "b.vtk");
     const auto result = test::readBack(folder_ / "b.vtk");

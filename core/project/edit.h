@@ -131,7 +131,11 @@ struct SetKernel {
   Basis basis;
 };
 
-struct Reset {};
+/// Poses back to rest: all of them and the master's, or those of `where`.
+struct Reset {
+  std::optional<PointSelection> where;
+  bool master = false;  ///< with `where`: the master's too
+};
 
 struct Edit;
 

@@ -228,8 +228,15 @@ Edit kernelEditFrom(const JsonReader& reader) {
 }
 
 Edit resetFrom(const JsonReader& reader) {
-  reader.requireKeys({});
-  return Reset{};
+  reader.requireKeys({"level", "points", "master"});
+  Reset edit;
+  if (reader.has("level") || reader.has("points") || reader.has("master")) {
+    edit.where = selectionFrom(reader);
+  }
+  if (reader.has("master")) {
+    edit.master = reader.at("master").boolean();
+  }
+  return edit;
 }
 
 Edit groupFrom(const JsonReader& reader) {

@@ -52,6 +52,47 @@ int posedPoints(const ControlSet& set) {
   return count;
 }
 
+void putBackToRest(Level& level, Index place) {
+  if (!level[place].locked && !(level[place].pose == level[place].rest)) {
+    ControlPoint point = level[place];
+    point.pose = point.rest;
+    level.replace(place, std::move(point));
+  }
+}
+
+Project withAllPosesAtRest(const EditScope& scope) {
+  Project project = scope.before;
+  project.controls.master.pose = project.controls.master.rest;
+  // Level by level from the coarsest, each carrying the finer ones: locked points move with coarser levels
+  // only.
+  for (Index l = 0; l < static_cast<Index>(project.controls.levels.size()); ++l) {
+    ControlSet edited = project.controls;
+    for (Index i = 0; i < edited.levels[l].size(); ++i) {
+      putBackToRest(edited.levels[l], i);
+    }
+    const Project current = l == 0 ? scope.before : project;
+    project = withPoses({current, scope.workspace, scope.progress, scope.remarks}, std::move(edited), l);
+  }
+  if (const int stayed = posedPoints(project.controls); stayed > 0) {
+    scope.remarks.push_back(format("{} locked point{} stayed in place; unlock {} to put {} back to rest too.",
+                                   stayed, stayed == 1 ? "" : "s", stayed == 1 ? "it" : "them",
+                                   stayed == 1 ? "it" : "them"));
+  }
+  return project;
+}
+
+Project withRestPoses(const EditScope& scope, const PointSelection& where, bool master) {
+  const SelectedPlaces selected = selectedPlaces(scope.before.controls, where);
+  ControlSet edited = scope.before.controls;
+  for (const Target& target : targetsOf(scope, selected, {})) {
+    putBackToRest(edited.levels[selected.level], target.place);
+  }
+  if (master) {
+    edited.master.pose = edited.master.rest;
+  }
+  return withPoses(scope, std::move(edited), selected.level);
+}
+
 }  // namespace
 
 Project applied(const EditScope& scope, const Move& edit) {
@@ -101,30 +142,8 @@ Project applied(const EditScope& scope, const SetPose& edit) {
   return withPoses(scope, std::move(edited), level);
 }
 
-Project applied(const EditScope& scope, const Reset&) {
-  Project project = scope.before;
-  project.controls.master.pose = project.controls.master.rest;
-  // Level by level from the coarsest, each carrying the finer ones: locked points move with coarser levels
-  // only.
-  for (Index l = 0; l < static_cast<Index>(project.controls.levels.size()); ++l) {
-    ControlSet edited = project.controls;
-    Level& level = edited.levels[l];
-    for (Index i = 0; i < level.size(); ++i) {
-      if (!level[i].locked && !(level[i].pose == level[i].rest)) {
-        ControlPoint point = level[i];
-        point.pose = point.rest;
-        level.replace(i, std::move(point));
-      }
-    }
-    const Project current = l == 0 ? scope.before : project;
-    project = withPoses({current, scope.workspace, scope.progress, scope.remarks}, std::move(edited), l);
-  }
-  if (const int stayed = posedPoints(project.controls); stayed > 0) {
-    scope.remarks.push_back(format("{} locked point{} stayed in place; unlock {} to put {} back to rest too.",
-                                   stayed, stayed == 1 ? "" : "s", stayed == 1 ? "it" : "them",
-                                   stayed == 1 ? "it" : "them"));
-  }
-  return project;
+Project applied(const EditScope& scope, const Reset& edit) {
+  return edit.where ? withRestPoses(scope, *edit.where, edit.master) : withAllPosesAtRest(scope);
 }
 
 }  // namespace pbffd

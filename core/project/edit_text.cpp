@@ -124,7 +124,9 @@ class Describer {
 
   std::string operator()(const SetKernel& edit) const { return "Change kernel to " + kernelWords(edit.basis); }
 
-  std::string operator()(const Reset&) const { return "Reset all points"; }
+  std::string operator()(const Reset& edit) const {
+    return edit.where ? format("Move {} back to rest", points(*edit.where)) : "Reset all points";
+  }
 
   std::string operator()(const Group& edit) const {
     return edit.text.empty() ? format("{} edit{}", edit.edits.size(), plural(edit.edits.size())) : edit.text;

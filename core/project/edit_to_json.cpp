@@ -176,7 +176,13 @@ struct Body {
     return {{"name", pbffd::wordOf(edit.basis.kernel)}, {"sigma", edit.basis.sigma}};
   }
 
-  Json operator()(const Reset&) const { return Json::object(); }
+  Json operator()(const Reset& edit) const {
+    Json json = edit.where ? onSelection(*edit.where) : Json::object();
+    if (edit.where && edit.master) {
+      json["master"] = true;
+    }
+    return json;
+  }
 
   Json operator()(const Group& edit) const {
     Json json = {{"text", edit.text}, {"edits", Json::array()}};

@@ -154,20 +154,19 @@ void PointCommands::step(int by) {
   document_.selection().replace({ids[static_cast<std::size_t>((at + by + count) % count)]});
 }
 
+/// Of a whole level with the master, which went along when it was moved as one.
 void PointCommands::poseToRest() {
-  Group group;
-  for (const PointId id : document_.selection().points()) {
-    if (const auto place = level().find(id); place && !(level()[*place].pose == level()[*place].rest)) {
-      group.edits.push_back(SetPose{document_.selection().level(), id, level()[*place].rest});
-    }
+  const auto isAtRest = [](const auto& one) { return one.pose == one.rest; };
+  const PointSelection where = selected();
+  const std::unordered_set<PointId> chosen(where.points.begin(), where.points.end());
+  const bool isWholeLevel = static_cast<Index>(chosen.size()) == level().size();
+  const bool isMasterAway = isWholeLevel && !isAtRest(document_.shown().controls.master);
+  const bool areAtRest = std::all_of(level().begin(), level().end(), [&](const ControlPoint& point) {
+    return !chosen.contains(point.id) || isAtRest(point);
+  });
+  if (!chosen.empty() && (isMasterAway || !areAtRest)) {
+    document_.perform(Reset{where, isWholeLevel});
   }
-  if (group.edits.empty()) {
-    return;
-  }
-  const auto count = static_cast<int>(group.edits.size());
-  group.text = (count == 1 ? tr("Move 1 point back to rest") : tr("Move %1 points back to rest").arg(count))
-                   .toStdString();
-  document_.perform(group);
 }
 
 }  // namespace pbffd::ui

@@ -52,6 +52,11 @@ struct Finder {
     return EditedPoints{levelOf(edit.level), {edit.point}};
   }
 
+  std::optional<EditedPoints> operator()(const Reset& edit) const {
+    return edit.where ? std::optional(EditedPoints{levelOf(edit.where->level), edit.where->points})
+                      : std::nullopt;
+  }
+
   std::optional<EditedPoints> operator()(const Add& edit) const {
     const int level = levelOf(edit.level);
     return EditedPoints{level,

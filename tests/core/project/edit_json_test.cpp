@@ -42,6 +42,7 @@ class EditJsonTest : public QObject {
     row("master", R"({"master":{"mode":"paper","value":0.2}})");
     row("kernel", R"({"kernel":{"name":"gaussian","sigma":2.5}})");
     row("reset", R"({"reset":{}})");
+    row("reset points", R"({"reset":{"level":2,"master":true,"points":[3,4]}})");
     row("group",
         R"({"group":{"edits":[{"reset":{}},{"group":{"edits":[{"levels":{"count":1}}],"text":"b"}}],"text":"a"}})");
     row("place",
@@ -107,6 +108,7 @@ class EditJsonTest : public QObject {
     row(R"(5)", "a list of edits is expected");
     row(R"([{"enable":{"points":[1],"enabled":1}}])", "true or false");
     row(R"([{"levels":{"count":2.5}}])", "a whole number");
+    row(R"([{"reset":{"master":true}}])", "/0/reset: \"points\" is missing");
     row(R"([{"place":{"points":1e999}}])", "e.json, edit 1 (at /0): a number is too large");
     row(R"([{"reset":{}},{"strength":{"points":[1],"value":NaN}}])",
         "e.json, edit 2 (at /1): line 1, column 49 is not valid JSON: a number must be finite");

@@ -1,5 +1,6 @@
 #include "core/ffd/levels/frames_follow.h"
 #include "core/project/mirror.h"
+#include "core/project/shape.h"
 #include "tests/core/project/projects.h"
 #include "tests/support/test_main.h"
 
@@ -308,6 +309,39 @@ class EditMoveTest : public QObject {
     QVERIFY(levelError(project) < 1e-13);
   }
 
+  void pointsGoBackToRestWithTheMasterWhereAsked() {
+    const Project rest = projectWith();
+    for (int level = 1; level <= 3; ++level) {
+      Move all{{level, {}}, {Vec3(0, 0.2, 0)}, Follow::none, {}};
+      for (const ControlPoint& point : rest.controls.levels[level - 1]) {
+        all.where.points.push_back(point.id);
+      }
+      all.spread.master = true;
+      const Project moved = after(rest, all);
+      const Project back = after(moved, Reset{all.where, true});
+      QVERIFY(back.controls.master.pose == rest.controls.master.rest);
+      QVERIFY(back.controls.levels[level - 1] == rest.controls.levels[level - 1]);
+      QVERIFY(levelError(back) < 1e-13);
+      QVERIFY((shapeOf(back) - shapeOf(rest)).cwiseAbs().maxCoeff() < 1e-12);
+      // Without it what it holds stays away, and other points stay as they are.
+      const Project one = after(moved, Reset{PointSelection{level, {all.where.points[0]}}, false});
+      QVERIFY(one.controls.master.pose == moved.controls.master.pose);
+      QVERIFY(pointOf(one, all.where.points[0]).pose == pointOf(rest, all.where.points[0]).rest);
+      QVERIFY(pointOf(one, all.where.points[1]).pose == pointOf(moved, all.where.points[1]).pose);
+    }
+  }
+
+  void lockedPointsDoNotGoBackToRest() {
+    Project project = after(projectWith(), Move{{3, {4, 5}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
+    project = after(project, Lock{{3, {4}}, true});
+    EditWorkspace workspace;
+    const EditResult result = apply(project, Reset{PointSelection{3, {4, 5}}, false}, workspace);
+    QCOMPARE(result.remarks, std::vector<std::string>{"1 of 2 points is locked and stayed in place."});
+    QVERIFY(pointOf(result.project, 4).pose == pointOf(project, 4).pose);
+    QVERIFY(pointOf(result.project, 5).pose == pointOf(project, 5).rest);
+    QVERIFY(contains(refusal(project, Reset{PointSelection{3, {4}}, false}), "point 4 is locked"));
+  }
+
   void groupIsDoneWholeOrNotAtAll() {
     const Project before = projectWith();
     Group group{"Two", {Move{{3, {1}}, {Vec3(1, 0, 0)}, Follow::none, {}}, Rename{3, 2, "Neck"}}};
@@ -341,6 +375,11 @@ class EditMoveTest : public QObject {
   }
 
  private:
+  static Points shapeOf(const Project& project) {
+    EditWorkspace workspace;
+    return deformedShape(project, workspace.weights).positions;
+  }
+
   /// Points 1 and 2 are partners across x = 0, point 3 lies on it, point 4 has no partner.
   static Project symmetricProject() {
     Project project = projectWith(4, 1);

@@ -51,6 +51,8 @@ class EditTextTest : public QObject {
     says(SetMaster{0.2, MasterMode::constant}, "Set master to 0.2");
     says(SetKernel{{Kernel::wendland, 3}}, "Change kernel to Wendland");
     says(Reset{}, "Reset all points");
+    says(Reset{PointSelection{3, {1, 2}}, true}, "Move 2 points back to rest");
+    says(Reset{PointSelection{3, {4}}, false}, "Move Neck back to rest");
     says(Place{}, "Place 200 points on 3 levels");
     says(Group{"Raise the arm", {}}, "Raise the arm");
   }

@@ -33,6 +33,7 @@ class LevelEditingTest : public QObject {
   void projectsWhoseLevelsDoNotFitAreRefused();
   void bindingsThatContradictThePosesAreMendedAndSaid();
   void aWholeLevelTakesTheShapeAlong();
+  void aWholeLevelGoesBackToRestWithTheMaster();
   void theTreeFollowsTheEditLevel();
 
  private:
@@ -40,6 +41,10 @@ class LevelEditingTest : public QObject {
   ui::Document& document() { return open_->window.document(); }
   QWidget& surface() { return *open_->window.viewport().surface(); }
   const std::vector<Level>& levels() { return document().shown().controls.levels; }
+  Points positions() {
+    EditWorkspace workspace;
+    return deformedShape(document().shown(), workspace.weights).positions;
+  }
   void trigger(ActionId id) { open_->window.actions()[id]->trigger(); }
   bool isRefused(ActionId id, const QString& reason);
   QString changedProject(const std::string& from, const std::string& to);
@@ -225,10 +230,6 @@ void LevelEditingTest::bindingsThatContradictThePosesAreMendedAndSaid() {
 }
 
 void LevelEditingTest::aWholeLevelTakesTheShapeAlong() {
-  const auto positions = [&] {
-    EditWorkspace workspace;
-    return deformedShape(document().shown(), workspace.weights).positions;
-  };
   const Points before = positions();
   for (const Qt::Key level : {Qt::Key_1, Qt::Key_2, Qt::Key_3}) {
     surface().setFocus();
@@ -239,6 +240,27 @@ void LevelEditingTest::aWholeLevelTakesTheShapeAlong() {
     const Points moved = positions();
     QVERIFY((moved.rowwise() - Eigen::RowVector3d(0.5, 0, 0) - before).cwiseAbs().maxCoeff() < 1e-12);
     trigger(ActionId::undo);
+  }
+}
+
+void LevelEditingTest::aWholeLevelGoesBackToRestWithTheMaster() {
+  const Points rest = positions();
+  for (const Qt::Key level : {Qt::Key_1, Qt::Key_2, Qt::Key_3}) {
+    surface().setFocus();
+    QTest::keyClick(&surface(), level);
+    trigger(ActionId::selectAll);
+    QTest::keyClicks(&surface(), "gx0.5");
+    QTest::keyClick(&surface(), Qt::Key_Return);
+    QVERIFY((positions() - rest).cwiseAbs().maxCoeff() > 0.4);
+    const int entries = document().history().count();
+    QTest::keyClick(&surface(), Qt::Key_G, Qt::AltModifier);
+    QCOMPARE(document().history().count(), entries + 1);
+    QVERIFY((positions() - rest).cwiseAbs().maxCoeff() < 1e-12);
+    const Master& master = document().shown().controls.master;
+    QVERIFY(master.pose == master.rest);
+    // Nothing is left to do.
+    QTest::keyClick(&surface(), Qt::Key_G, Qt::AltModifier);
+    QCOMPARE(document().history().count(), entries + 1);
   }
 }
 

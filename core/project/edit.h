@@ -117,9 +117,10 @@ struct Refine {
   int factor = 2;  ///< so many points where one was; 2 to 64
 };
 
-/// Rebuilds the coarser levels from the finest.
+/// Rebuilds the coarser levels from the finest, or only makes those that are missing and drops those too many.
 struct SetLevels {
   int count = 3;
+  bool keep = false;  ///< levels that there are stay as they are; they come and go at the coarse end
 };
 
 struct SetMaster {

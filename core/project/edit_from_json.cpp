@@ -201,8 +201,12 @@ Edit renameFrom(const JsonReader& reader) {
 }
 
 Edit levelsFrom(const JsonReader& reader) {
-  reader.requireKeys({"count"});
-  return SetLevels{static_cast<int>(reader.at("count").integer(0, std::numeric_limits<int>::max()))};
+  reader.requireKeys({"count", "keep"});
+  SetLevels edit{static_cast<int>(reader.at("count").integer(0, std::numeric_limits<int>::max()))};
+  if (reader.has("keep")) {
+    edit.keep = reader.at("keep").boolean();
+  }
+  return edit;
 }
 
 Edit masterFrom(const JsonReader& reader) {

@@ -57,6 +57,18 @@ PointId idFor(const Project& project, const std::optional<PointId>& wanted) {
   return *wanted;
 }
 
+/// So many levels more, in front of those that there are.
+void addCoarserLevels(ControlSet& set, int count, PointId& nextId, RegionShape shape) {
+  const Level& coarsest = set.levels.front();
+  if (const int greatest = greatestLevelCount(coarsest.size()) - 1; count > greatest) {
+    throw InvalidInput(
+        format("the coarsest level has {} point{}, so that there can be {} coarser one{} and not {}",
+               coarsest.size(), coarsest.size() == 1 ? "" : "s", greatest, greatest == 1 ? "" : "s", count));
+  }
+  const std::vector<Level> made = buildLevels(coarsest, count + 1, nextId, shape);
+  set.levels.insert(set.levels.begin(), made.begin(), made.end() - 1);
+}
+
 }  // namespace
 
 Project applied(const EditScope& scope, const Add& edit) {
@@ -116,13 +128,15 @@ Project applied(const EditScope& scope, const Remove& edit) {
 
 Project applied(const EditScope& scope, const SetLevels& edit) {
   const Project& before = scope.before;
-  const Level& finest = before.controls.finest();
-  requireLevelCount(edit.count, finest.size());
+  requireLevelCount(edit.count, before.controls.finest().size());
+  const int formerCount = static_cast<int>(before.controls.levels.size());
+  const int kept = edit.keep ? std::min(edit.count, formerCount) : 1;
   Project after = before;
   ControlSet edited = before.controls;
-  edited.levels = buildLevels(finest, edit.count, after.nextId, before.placement.regions);
-  poseByDeformation(scope, before.controls, edited, edited.levels.size() - 1);
-  addCoarserSurvivors(scope, before.controls, edited);
+  edited.levels.erase(edited.levels.begin(), edited.levels.end() - kept);
+  addCoarserLevels(edited, edit.count - kept, after.nextId, before.placement.regions);
+  poseByDeformation(scope, before.controls, edited, static_cast<std::size_t>(edit.count - kept));
+  addCoarserSurvivors(scope, before.controls, edited, kept);
   after.controls = withStructure(scope, std::move(edited)).controls;
   return after;
 }

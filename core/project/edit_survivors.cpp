@@ -28,11 +28,11 @@ void poseByDeformation(const EditScope& scope, const ControlSet& former, Control
   }
 }
 
-void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made) {
+void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made, int kept) {
   const auto formerCount = static_cast<int>(former.levels.size());
   const auto madeCount = static_cast<int>(made.levels.size());
   int homeless = 0;
-  for (int fromFinest = 1; fromFinest < formerCount; ++fromFinest) {
+  for (int fromFinest = kept; fromFinest < formerCount; ++fromFinest) {
     const Level& level = former.levels[formerCount - 1 - fromFinest];
     for (Index i = 0; i < level.size(); ++i) {
       if (!survives(level[i])) {

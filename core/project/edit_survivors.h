@@ -14,8 +14,9 @@ bool survives(const ControlPoint& point);
 void poseByDeformation(const EditScope& scope, const ControlSet& former, ControlSet& made,
                        std::size_t levelCount);
 
-/// Puts the survivors of the coarser levels of `former` into the levels of `made` as far from the finest, or
-/// the coarsest there is; there they stand for no finer point any more. Where `made` has a single level they have no place; a remark says so.
-void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made);
+/// Puts the survivors of the levels of `former`, but the finest `kept` of them, into the levels of `made` as
+/// far from the finest, or the coarsest there is; there they stand for no finer point any more. Where `made`
+/// has a single level they have no place; a remark says so.
+void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made, int kept = 1);
 
 }  // namespace pbffd

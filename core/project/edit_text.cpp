@@ -115,6 +115,10 @@ class Describer {
   }
 
   std::string operator()(const SetLevels& edit) const {
+    const int more = edit.count - static_cast<int>(before_.controls.levels.size());
+    if (edit.keep && (more == 1 || more == -1)) {
+      return more > 0 ? "Add a coarser level" : "Remove the coarsest level";
+    }
     return format("Build {} level{}", edit.count, plural(edit.count));
   }
 

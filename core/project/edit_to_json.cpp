@@ -166,7 +166,13 @@ struct Body {
     return json;
   }
 
-  Json operator()(const SetLevels& edit) const { return {{"count", edit.count}}; }
+  Json operator()(const SetLevels& edit) const {
+    Json json = {{"count", edit.count}};
+    if (edit.keep) {
+      json["keep"] = true;
+    }
+    return json;
+  }
 
   Json operator()(const SetMaster& edit) const {
     return {{"value", edit.value}, {"mode", pbffd::wordOf(edit.mode)}};

@@ -71,10 +71,10 @@ void PointCommands::connectEdits(Actions& actions) {
   on(ActionId::resetAll, [this] { document_.perform(Reset{}); });
   // Many points of a large mesh take a while.
   on(ActionId::refineHere, [this] { document_.performInBackground(Refine{selected()}); });
-  // Levels over many points take a while too.
+  // Levels over many points take a while too. Those that there are stay as they are.
   const auto changeLevels = [this](int by) {
     const auto count = static_cast<int>(document_.committed().controls.levels.size());
-    document_.performInBackground(SetLevels{count + by});
+    document_.performInBackground(SetLevels{count + by, true});
   };
   on(ActionId::addCoarserLevel, [changeLevels] { changeLevels(1); });
   on(ActionId::removeCoarsestLevel, [changeLevels] { changeLevels(-1); });

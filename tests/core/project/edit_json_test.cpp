@@ -39,6 +39,7 @@ class EditJsonTest : public QObject {
     row("refine", R"({"refine":{"factor":3,"level":2,"points":[4,5]}})");
     row("rename", R"({"rename":{"name":"Nase ä","point":1}})");
     row("levels", R"({"levels":{"count":4}})");
+    row("levels kept", R"({"levels":{"count":4,"keep":true}})");
     row("master", R"({"master":{"mode":"paper","value":0.2}})");
     row("kernel", R"({"kernel":{"name":"gaussian","sigma":2.5}})");
     row("reset", R"({"reset":{}})");

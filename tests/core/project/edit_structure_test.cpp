@@ -195,6 +195,52 @@ class EditStructureTest : public QObject {
     QVERIFY(contains(refusal(projectWith(1, 1), SetLevels{2}), "1 point allows at most 1 level, each"));
   }
 
+  void levelsThatAreKeptStayAsTheyAre() {
+    Project project = turned(projectWith());
+    const PointId strong = project.controls.levels[0][1].id;
+    const PointId named = project.controls.levels[1][2].id;
+    project = after(project, Strength{{1, {strong}}, 3.0});
+    project = after(project, Rename{2, named, "Neck"});
+    project = after(project, Enable{{2, {project.controls.levels[1][3].id}}, false});
+    const Project four = after(project, SetLevels{4, true});
+    QCOMPARE(four.controls.levels[0].size(), 5);
+    QVERIFY(levelError(four) < 1e-12);
+    // Back again: every point as it was, whatever it hangs on taken anew.
+    const Project three = after(four, SetLevels{3, true});
+    for (std::size_t l = 0; l < 3; ++l) {
+      QVERIFY(isSameButBinding(four.controls.levels[l + 1], project.controls.levels[l]));
+      QVERIFY(isSameButBinding(three.controls.levels[l], project.controls.levels[l]));
+    }
+    QVERIFY(levelError(three) < 1e-12);
+    QVERIFY(
+        isSameButBinding(after(project, SetLevels{2, true}).controls.levels[0], project.controls.levels[1]));
+    // Several at once, and as many as there are.
+    const Project six = after(after(project, SetLevels{1, true}), SetLevels{6, true});
+    QCOMPARE(six.controls.levels[0].size(), 1);
+    QVERIFY(levelError(six) < 1e-12);
+    QVERIFY(after(project, SetLevels{3, true}).controls == project.controls);
+    QVERIFY(contains(refusal(project, SetLevels{0, true}), "too few"));
+  }
+
+  void pointsMadeByHandStayWhenTheirLevelGoes() {
+    Project project = projectWith();
+    Add edit;
+    edit.level = 1;
+    edit.rest = {Vec3(0.5, 0.2, 0.1), 0.6 * Mat3::Identity()};
+    edit.id = 700;
+    project = after(project, edit);
+    const Project two = after(project, SetLevels{2, true});
+    QCOMPARE(two.controls.levels[0].size(), project.controls.levels[1].size() + 1);
+    QVERIFY(two.controls.levels[0].find(700).has_value());
+  }
+
+  void aCoarsestLevelOfOnePointHasNoneAboveIt() {
+    Project project = projectWith(4, 2);
+    project = after(project, Remove{{1, {project.controls.levels[0][0].id}}});
+    QVERIFY(contains(refusal(project, SetLevels{3, true}), "has 1 point, so that there can be 0 coarser ones"));
+    QVERIFY(refusal(project, SetLevels{3}).empty());
+  }
+
   void handMadeCoarsePointsSurviveARebuild() {
     Project project = projectWith();
     Add edit;
@@ -255,6 +301,18 @@ class EditStructureTest : public QObject {
   }
 
  private:
+  /// Bindings follow from the coarser level.
+  static bool isSameButBinding(const Level& one, const Level& other) {
+    for (Index i = 0; i < std::min(one.size(), other.size()); ++i) {
+      ControlPoint bound = one[i];
+      bound.binding = other[i].binding;
+      if (!(bound == other[i])) {
+        return false;
+      }
+    }
+    return one.size() == other.size();
+  }
+
   static Project turned(const Project& project) {
     Transform edit;
     edit.where = {3, {1, 2, 3}};

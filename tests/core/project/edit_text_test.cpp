@@ -48,6 +48,8 @@ class EditTextTest : public QObject {
     says(Refine{{3, {4, 5}}, 3}, "Refine 2 points 3 times");
     says(Rename{3, 5, "Nose"}, "Rename point 5 to Nose");
     says(SetLevels{4}, "Build 4 levels");
+    says(SetLevels{4, true}, "Add a coarser level");
+    says(SetLevels{2, true}, "Remove the coarsest level");
     says(SetMaster{0.2, MasterMode::constant}, "Set master to 0.2");
     says(SetKernel{{Kernel::wendland, 3}}, "Change kernel to Wendland");
     says(Reset{}, "Reset all points");

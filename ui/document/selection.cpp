@@ -87,6 +87,7 @@ void Selection::renumberLevels(int by) {
   }
   pointsOfLevel_ = std::move(renumbered);
   level_ = std::max(level_ + by, 1);
+  Q_EMIT levelsRenumbered(by);
   Q_EMIT levelChanged(level_);
   Q_EMIT changed();
 }

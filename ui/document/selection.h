@@ -45,6 +45,7 @@ class Selection : public QObject {
  Q_SIGNALS:
   void changed();
   void levelChanged(int level);
+  void levelsRenumbered(int by);
 
  private:
   std::map<int, std::vector<PointId>> pointsOfLevel_;

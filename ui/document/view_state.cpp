@@ -87,6 +87,19 @@ void ViewState::setLevelShown(int level, bool shown) {
   Q_EMIT changed();
 }
 
+void ViewState::renumberLevels(int by) {
+  std::set<int> renumbered;
+  for (const int level : shownLevels_) {
+    if (level + by >= 1) {
+      renumbered.insert(level + by);
+    }
+  }
+  if (renumbered != shownLevels_) {
+    shownLevels_ = std::move(renumbered);
+    Q_EMIT changed();
+  }
+}
+
 void ViewState::setPointsShown(const std::vector<PointId>& points, bool shown) {
   const std::size_t before = hiddenPoints_.size();
   for (const PointId point : points) {

@@ -46,6 +46,8 @@ class ViewState : public QObject {
   /// A level's eye: its points are drawn while another level is edited. 1 is the coarsest.
   bool isLevelShown(int level) const { return shownLevels_.count(level) != 0; }
   void setLevelShown(int level, bool shown);
+  /// The numbers of all levels change by this: coarser ones came (above 0) or went.
+  void renumberLevels(int by);
   /// A point's own eye, and whether it is drawn at all.
   bool isPointEyeOpen(PointId point) const { return hiddenPoints_.count(point) == 0; }
   bool isPointShown(PointId point) const { return controlsShown_ && isPointEyeOpen(point); }

@@ -109,6 +109,7 @@ void MainWindow::makeCentre() {
 
 void MainWindow::connectDocument() {
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+  connect(&document_.selection(), &Selection::levelsRenumbered, &view_, &ViewState::renumberLevels);
   connect(&document_, &Document::titleChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::failed, this, [this](const QString& text) { say(Severity::error, text); });
   connect(&document_, &Document::remarked, this, [this](const QString& text) { say(Severity::warning, text); });

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 namespace pbffd::ui {
 namespace {
@@ -125,9 +126,30 @@ void SceneTree::rememberExpansion() {
   }
 }
 
+/// Levels come and go at the coarse end, where their numbers begin.
+void SceneTree::renumberLevels() {
+  const int count = document_.isOpen() ? static_cast<int>(document_.shown().controls.levels.size()) : 0;
+  const int by = count - std::exchange(levelCount_, count);
+  const auto renumbered = [&](RowKey key) {
+    std::get<1>(key) += std::get<0>(key) == static_cast<int>(SceneModel::Row::controls) ? 0 : by;
+    return key;
+  };
+  std::map<RowKey, bool> isExpandedNow;
+  for (const auto& [key, isOpen] : isExpandedBefore_) {
+    isExpandedNow.emplace(renumbered(key), isOpen);
+  }
+  std::set<RowKey> opened;
+  for (const RowKey& key : opened_) {
+    opened.insert(renumbered(key));
+  }
+  isExpandedBefore_ = std::move(isExpandedNow);
+  opened_ = std::move(opened);
+}
+
 /// What was open stays open; of branches that were not there before the control set is open, and the edit
 /// level. A filter opens everything that it leaves.
 void SceneTree::restoreExpansion() {
+  renumberLevels();
   const QString widest = model_.index(0, SceneModel::countColumn).data().toString();
   header()->resizeSection(SceneModel::countColumn,
                           std::max(leastCountWidth, fontMetrics().horizontalAdvance(widest) + 12));

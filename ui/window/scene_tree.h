@@ -42,6 +42,7 @@ class SceneTree : public QTreeView {
   static RowKey keyOf(const QModelIndex& index);
   void rememberExpansion();
   void restoreExpansion();
+  void renumberLevels();
   void showBranchesOf(const QModelIndex& active);
   void forEachBranch(const std::function<void(const QModelIndex&)>& visit) const;
   bool isMarkedAsRelated(const QModelIndex& index) const;
@@ -53,6 +54,7 @@ class SceneTree : public QTreeView {
   const Theme& theme_;
   std::map<RowKey, bool> isExpandedBefore_;
   std::set<RowKey> opened_;  ///< branches that were opened for the edit level or the selection alone
+  int levelCount_ = 0;       ///< by which the levels in the keys count
   bool isSynchronizing_ = false;
 };
 

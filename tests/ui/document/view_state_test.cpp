@@ -17,6 +17,7 @@ class ViewStateTest : public QObject {
   void brokenJsonIsIgnored();
   void hiddenPointsAreNotShown();
   void theSetsEyeHidesEveryPoint();
+  void theEyesOfLevelsGoWithTheirNumbers();
 };
 
 void ViewStateTest::comesBackFromJson() {
@@ -50,6 +51,23 @@ void ViewStateTest::brokenJsonIsIgnored() {
   }
   state.restore("{}");
   QCOMPARE(state.regions(), RegionDisplay::selection);
+}
+
+void ViewStateTest::theEyesOfLevelsGoWithTheirNumbers() {
+  ViewState state;
+  state.setLevelShown(1, true);
+  state.setLevelShown(2, true);
+  QSignalSpy changed(&state, &ViewState::changed);
+  state.renumberLevels(1);
+  QVERIFY(!state.isLevelShown(1) && state.isLevelShown(2) && state.isLevelShown(3));
+  QCOMPARE(changed.count(), 1);
+  // The coarsest is gone, and its eye with it.
+  state.renumberLevels(-2);
+  QVERIFY(state.isLevelShown(1) && !state.isLevelShown(2));
+  state.renumberLevels(1);
+  QVERIFY(!state.isLevelShown(1) && state.isLevelShown(2));
+  state.renumberLevels(0);
+  QCOMPARE(changed.count(), 3);
 }
 
 void ViewStateTest::hiddenPointsAreNotShown() {

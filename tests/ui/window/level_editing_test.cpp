@@ -29,6 +29,7 @@ class LevelEditingTest : public QObject {
   void pointsOfACoarseLevelAreEditedAndUndone();
   void pointsAreAddedToTheEditLevel();
   void levelsAreAddedAndRemoved();
+  void whatIsSetOnOtherLevelsStaysWhenLevelsComeAndGo();
   void whatLevelsDoNotAllowIsSaidAndChangesNothing();
   void projectsWhoseLevelsDoNotFitAreRefused();
   void bindingsThatContradictThePosesAreMendedAndSaid();
@@ -182,6 +183,32 @@ void LevelEditingTest::levelsAreAddedAndRemoved() {
     trigger(ActionId::undo);
   }
   QCOMPARE(levels().size(), std::size_t{3});
+}
+
+void LevelEditingTest::whatIsSetOnOtherLevelsStaysWhenLevelsComeAndGo() {
+  ui::SceneTree& tree = open_->window.docks().scene().tree();
+  auto& model = *static_cast<ui::SceneModel*>(tree.model());
+  const auto eyeOf = [&](int level) {
+    return model.levelIndex(level).siblingAtColumn(ui::SceneModel::eyeColumn);
+  };
+  const PointId named = levels()[1][4].id;
+  QVERIFY(document().perform(Rename{2, named, "Shoulder"}));
+  QVERIFY(document().perform(Strength{{2, {named}}, 2.0}));
+  QVERIFY(model.setData(eyeOf(2), Qt::Checked, Qt::CheckStateRole));
+  tree.expand(model.levelIndex(2));
+  for (const ActionId id : {ActionId::addCoarserLevel, ActionId::removeCoarsestLevel, ActionId::undo}) {
+    trigger(id);
+    QVERIFY(finishJobs(document()));
+    const int level = static_cast<int>(levels().size()) - 1;
+    const ControlPoint& point = levels()[static_cast<std::size_t>(level - 1)][4];
+    QCOMPARE(point.id, named);
+    QCOMPARE(point.name, std::string("Shoulder"));
+    QCOMPARE(point.strength, 2.0);
+    for (int other = 1; other <= level; ++other) {
+      QCOMPARE(eyeOf(other).data(Qt::CheckStateRole).toInt() == Qt::Checked, other == level);
+      QCOMPARE(tree.isExpanded(model.levelIndex(other)), other == level);
+    }
+  }
 }
 
 void LevelEditingTest::whatLevelsDoNotAllowIsSaidAndChangesNothing() {

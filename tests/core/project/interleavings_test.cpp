@@ -49,6 +49,13 @@ class Chance {
       case 1: {
         Transform edit;
         edit.where = one();
+        if (below(2) == 0) {
+          edit.where.points.clear();
+          for (const ControlPoint& point : level) {
+            edit.where.points.push_back(point.id);
+          }
+          edit.spread.master = below(2) == 0;
+        }
         edit.rotationAxis = vector(1.0) + Vec3(0, 0, 0.6);
         edit.degrees = upTo(20.0);
         edit.scale = Vec3::Constant(1.0 + upTo(0.1));
@@ -178,6 +185,8 @@ class InterleavingsTest : public QObject {
       requireSamePoses(before, next, 0, static_cast<std::size_t>(*posed->level - 1));
     } else if (const auto* moved = std::get_if<Move>(&edit.value())) {
       requireSamePoses(before, next, 0, static_cast<std::size_t>(*moved->where.level - 1));
+    } else if (const auto* turned = std::get_if<Transform>(&edit.value())) {
+      requireSamePoses(before, next, 0, static_cast<std::size_t>(*turned->where.level - 1));
     } else if (isOfInfluence(edit)) {
       // What weights depend on leaves every pose of every level.
       requireSamePoses(before, next, 0, next.controls.levels.size());

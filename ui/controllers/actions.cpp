@@ -177,8 +177,12 @@ void Actions::refresh() {
   const QUndoStack& history = document_.history();
   (*this)[ActionId::undo]->setText(history.canUndo() ? tr("Undo %1").arg(history.undoText()) : tr("Undo"));
   (*this)[ActionId::redo]->setText(history.canRedo() ? tr("Redo %1").arg(history.redoText()) : tr("Redo"));
-  const int level = std::clamp(document_.selection().level(), 1, 9);
-  actions_[static_cast<std::size_t>(ActionId::level1) + static_cast<std::size_t>(level - 1)]->setChecked(true);
+  // None where the level is beyond those that have a key.
+  const int level = document_.selection().level();
+  for (int number = 1; number <= 9; ++number) {
+    const auto first = static_cast<std::size_t>(ActionId::level1);
+    actions_[first + static_cast<std::size_t>(number - 1)]->setChecked(number == level);
+  }
 }
 
 void Actions::synchronizeChecks() {

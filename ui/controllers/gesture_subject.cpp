@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <unordered_map>
 
 namespace pbffd::ui {
 namespace {
@@ -50,10 +51,16 @@ std::optional<GestureSubject> selectedSubject(const Document& document, const Tr
   subject.level = static_cast<int>(place) + 1;
   std::vector<Vec3> centers;
   const ControlPoint* active = nullptr;
+  const Level& level = levels[static_cast<std::size_t>(place)];
+  std::unordered_map<PointId, const ControlPoint*> pointOf;
+  pointOf.reserve(static_cast<std::size_t>(level.size()));
+  for (const ControlPoint& point : level) {
+    pointOf.emplace(point.id, &point);
+  }
   for (const PointId id : document.selection().points()) {
-    const auto row = levels[place].find(id);
-    if (row && !levels[place][*row].locked) {
-      active = &levels[place][*row];
+    const auto found = pointOf.find(id);
+    if (found != pointOf.end() && !found->second->locked) {
+      active = found->second;
       subject.points.push_back(id);
       centers.push_back(active->pose.center);
     }
@@ -61,7 +68,7 @@ std::optional<GestureSubject> selectedSubject(const Document& document, const Tr
   if (active == nullptr) {
     return std::nullopt;
   }
-  subject.isWholeLevel = static_cast<Index>(subject.points.size()) == levels[place].size();
+  subject.isWholeLevel = static_cast<Index>(subject.points.size()) == level.size();
   subject.pivot = options.pivot() == PivotChoice::active ? active->pose.center : medianOf(centers);
   subject.eachItsOwn = options.pivot() == PivotChoice::each;
   subject.localAxes = directionsOf(active->pose.axes);

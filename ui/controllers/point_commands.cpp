@@ -26,10 +26,14 @@ PointSelection PointCommands::selected() const {
   return {document_.selection().level(), document_.selection().points()};
 }
 
+bool PointCommands::canBeSelected(const ControlPoint& point) const {
+  return !point.locked && view_.isPointShown(point.id);
+}
+
 void PointCommands::selectWhere(const std::function<bool(const ControlPoint&)>& fits) {
   std::vector<PointId> points;
   for (const ControlPoint& point : level()) {
-    if (!point.locked && view_.isPointShown(point.id) && fits(point)) {
+    if (canBeSelected(point) && fits(point)) {
       points.push_back(point.id);
     }
   }
@@ -123,7 +127,8 @@ void PointCommands::moveLevel(int by) {
   document_.selection().setLevel(std::clamp(document_.selection().level() + by, 1, levels));
 }
 
-/// Children (1) or parents (-1) of the selected points; the edit level changes with the selection.
+/// Children (1) or parents (-1) of the selected points; the edit level changes with the selection. Where none
+/// can be selected the level keeps what was selected on it.
 void PointCommands::selectRelated(int levelStep) {
   const ControlSet& set = document_.shown().controls;
   Selection& selection = document_.selection();
@@ -134,14 +139,23 @@ void PointCommands::selectRelated(int levelStep) {
   std::vector<PointId> related = levelStep > 0 ? childrenOf(set, selection.level(), selection.points())
                                                : parentsOf(set, selection.level(), selection.points());
   selection.setLevel(target);
-  selection.replace(std::move(related));
+  std::unordered_set<PointId> free;
+  for (const ControlPoint& point : level()) {
+    if (canBeSelected(point)) {
+      free.insert(point.id);
+    }
+  }
+  std::erase_if(related, [&](PointId id) { return !free.contains(id); });
+  if (!related.empty()) {
+    selection.replace(std::move(related));
+  }
 }
 
 /// Goes through the points in the order of their level, around at the end.
 void PointCommands::step(int by) {
   std::vector<PointId> ids;
   for (const ControlPoint& point : level()) {
-    if (!point.locked && view_.isPointShown(point.id)) {
+    if (canBeSelected(point)) {
       ids.push_back(point.id);
     }
   }

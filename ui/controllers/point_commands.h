@@ -26,6 +26,7 @@ class PointCommands : public QObject {
 
   const Level& level() const;
   PointSelection selected() const;
+  bool canBeSelected(const ControlPoint& point) const;
   void selectWhere(const std::function<bool(const ControlPoint&)>& fits);
   void selectRelated(int levelStep);
   void step(int by);

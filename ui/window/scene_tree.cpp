@@ -177,29 +177,53 @@ void SceneTree::showBranchesOf(const QModelIndex& active) {
   });
 }
 
+/// The selected rows of the level's points, from top to bottom. Those of other levels are not selected any
+/// more: the edit level alone has a selection.
+QModelIndexList SceneTree::takeRowsOf(int level) {
+  QModelIndexList rows;
+  QItemSelection others;
+  for (const QModelIndex& row : selectionModel()->selectedRows()) {
+    if (!isRow(row, SceneModel::Row::point)) {
+      continue;
+    }
+    if (row.data(SceneModel::levelRole).toInt() == level) {
+      rows.append(row);
+    } else {
+      others.select(row, row);
+    }
+  }
+  if (!others.isEmpty()) {
+    selectionModel()->select(others, QItemSelectionModel::Deselect | QItemSelectionModel::Rows);
+  }
+  const auto place = [](const QModelIndex& row) { return std::pair(row.parent().row(), row.row()); };
+  std::sort(rows.begin(), rows.end(),
+            [&](const QModelIndex& a, const QModelIndex& b) { return place(a) < place(b); });
+  return rows;
+}
+
 void SceneTree::takeSelection() {
   if (isSynchronizing_) {
     return;
   }
   const QScopedValueRollback guard(isSynchronizing_, true);
   const QModelIndex current = currentIndex();
-  int level = isRow(current, SceneModel::Row::point) ? current.data(SceneModel::levelRole).toInt()
-                                                     : document_.selection().level();
-  std::vector<PointId> points;
-  std::unordered_set<PointId> chosen;
-  for (const QModelIndex& row : selectionModel()->selectedRows()) {
-    if (row.data(SceneModel::levelRole).toInt() == level) {
-      chosen.insert(row.data(SceneModel::pointRole).toLongLong());
-    }
+  const int level = isRow(current, SceneModel::Row::point) ? current.data(SceneModel::levelRole).toInt()
+                                                           : document_.selection().level();
+  std::vector<PointId> rows;
+  for (const QModelIndex& row : takeRowsOf(level)) {
+    rows.push_back(row.data(SceneModel::pointRole).toLongLong());
   }
   // The order in which they were selected is kept; the row that was clicked is the active point.
   document_.selection().setLevel(level);
+  std::unordered_set<PointId> chosen(rows.begin(), rows.end());
+  std::vector<PointId> points;
   for (const PointId point : document_.selection().points()) {
     if (chosen.erase(point) > 0) {
       points.push_back(point);
     }
   }
-  points.insert(points.end(), chosen.begin(), chosen.end());
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(points),
+               [&](PointId point) { return chosen.contains(point); });
   const PointId clicked = current.data(SceneModel::pointRole).toLongLong();
   if (const auto at = std::find(points.begin(), points.end(), clicked); at != points.end()) {
     std::rotate(at, at + 1, points.end());

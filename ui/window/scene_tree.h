@@ -46,6 +46,7 @@ class SceneTree : public QTreeView {
   void showBranchesOf(const QModelIndex& active);
   void forEachBranch(const std::function<void(const QModelIndex&)>& visit) const;
   bool isMarkedAsRelated(const QModelIndex& index) const;
+  QModelIndexList takeRowsOf(int level);
   void takeSelection();
   void showSelection();
 

@@ -1,5 +1,7 @@
 #include "ui/views/surface_store.h"
 
+#include <utility>
+
 namespace pbffd::ui {
 
 RestBuffers::RestBuffers(const RestMesh& mesh) : origin_(mesh.bounds().center()) {
@@ -23,13 +25,13 @@ RestBuffers::RestBuffers(const RestMesh& mesh) : origin_(mesh.bounds().center())
 
 bool SurfaceStore::choose(const std::shared_ptr<const RestMesh>& mesh, const LiveDeformation* deformation) {
   const bool isOtherMesh = mesh != mesh_;
-  const float* const before = buffers_.positions != nullptr ? buffers_.positions->data() : nullptr;
   if (isOtherMesh) {
     mesh_ = mesh;
     rest_.reset();
   }
   buffers_ = {};
   if (mesh_ == nullptr) {
+    drawn_ = nullptr;
     return isOtherMesh;
   }
   if (deformation != nullptr) {
@@ -43,7 +45,8 @@ bool SurfaceStore::choose(const std::shared_ptr<const RestMesh>& mesh, const Liv
     buffers_ = rest_->buffers();
     origin_ = rest_->origin();
   }
-  return isOtherMesh || buffers_.positions->data() != before;
+  const float* const before = std::exchange(drawn_, buffers_.positions->data());
+  return isOtherMesh || drawn_ != before;
 }
 
 }  // namespace pbffd::ui

@@ -38,6 +38,8 @@ class SurfaceStore {
   std::shared_ptr<const RestMesh> mesh_;
   std::unique_ptr<RestBuffers> rest_;
   SurfaceBuffers buffers_;
+  /// Where the positions drawn last lie, or lay: their owner may be gone.
+  const float* drawn_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
 };
 

@@ -89,9 +89,9 @@ bool hasOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, con
   return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
-PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, bool isExact,
                          const Progress& progress) {
-  const std::vector<bool> flags = offSide(pool, side, parts, false, progress);
+  const std::vector<bool> flags = offSide(pool, side, parts, isExact, progress);
   std::set<Index> partsOnSide;
   for (Index i = 0; i < pool.size(); ++i) {
     if (!flags[i]) {
@@ -148,11 +148,11 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
       decimateInOctree(pool.points, coarseTarget(pool.size(), target), {rules.groups, nullptr}, progress);
   PointPool left{coarse.points, coarse.groups};
   if (left.size() < pool.size()) {
-    left = withoutOffSide(left, side, parts, progress);
+    left = withoutOffSide(left, side, parts, false, progress);
   }
   PointPool result = merged(left, target, side, parts, progress);
   if (hasOffSide(result, side, parts, progress)) {
-    result = merged(withoutOffSide(left, side, parts, progress), target, side, parts, progress);
+    result = merged(withoutOffSide(left, side, parts, true, progress), target, side, parts, progress);
   }
   return result;
 }

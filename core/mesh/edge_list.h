@@ -9,8 +9,8 @@
 
 namespace pbffd {
 
-/// The edges of a mesh, each at its lower vertex. Plain lists hold every mesh, where half-edges do not (edges
-/// of three faces, fans that meet in a vertex, faces turned over), in a fifth of the memory.
+/// The edges of a mesh, each at its lower vertex: plain lists, which hold every mesh as it is (edges of three
+/// faces, fans that meet in a vertex, faces turned over).
 class EdgeList {
  public:
   /// forEachEdge(visit) calls visit(a, b) for every edge of every face, in the same order each time.

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -99,7 +100,7 @@ void ApplyDialog::makeRows() {
 }
 
 ApplyService::Request ApplyDialog::request() const {
-  ApplyService::Request request{pathOf(source_->text()), pathOf(target_->text()), align_->isChecked(), {}};
+  ApplyService::Request request{pathOf(source_->text()), pathOf(targetPath()), align_->isChecked(), {}};
   for (const QString& name : hasArrays() ? arrays_->text().split(u',') : QStringList()) {
     if (!name.trimmed().isEmpty()) {
       request.transports.push_back(name.trimmed().toStdString());
@@ -130,13 +131,24 @@ void ApplyDialog::chooseTarget() {
 }
 
 void ApplyDialog::suggestTarget() {
-  if (isSuggested_) {
-    const QFileInfo source(source_->text());
-    target_->setText(source.fileName().isEmpty()
-                         ? QString()
-                         : QString("%1/%2-deformed.%3")
-                               .arg(source.absolutePath(), source.completeBaseName(), source.suffix()));
+  if (!isSuggested_) {
+    return;
   }
+  const QFileInfo source(source_->text());
+  if (source.fileName().isEmpty()) {
+    return target_->clear();
+  }
+  const QString beginning = source.absolutePath() + u'/' + source.completeBaseName() + "-deformed";
+  QString name = beginning;
+  for (int number = 2; QFileInfo::exists(name + u'.' + source.suffix()); ++number) {
+    name = QString("%1-%2").arg(beginning).arg(number);
+  }
+  target_->setText(name + u'.' + source.suffix());
+}
+
+QString ApplyDialog::targetPath() const {
+  return target_->text().isEmpty() ? QString()
+                                   : QFileInfo(source_->text()).absoluteDir().absoluteFilePath(target_->text());
 }
 
 bool ApplyDialog::hasArrays() const {
@@ -145,7 +157,10 @@ bool ApplyDialog::hasArrays() const {
 
 void ApplyDialog::showState() {
   const QString reason = reasonAgainst();
-  reason_->setText(reason);
+  const QFileInfo target(targetPath());
+  const bool replaces = reason.isEmpty() && target.exists();
+  reason_->setText(replaces ? tr("%1 is there already and will be replaced.").arg(target.fileName()) : reason);
+  apply_->setText(replaces ? tr("Replace") : tr("Apply"));
   apply_->setEnabled(reason.isEmpty());
   arrays_->setEnabled(hasArrays());
 }

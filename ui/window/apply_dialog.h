@@ -32,6 +32,8 @@ class ApplyDialog : public QDialog {
   void showState();
   QString reasonAgainst() const;
   bool hasArrays() const;
+  /// A name without a folder is one beside the source.
+  QString targetPath() const;
 
   const ApplyService& service_;
   QString folder_;

@@ -89,6 +89,25 @@ class ApplyDialogTest : public QObject {
     QVERIFY(!apply->isEnabled());
   }
 
+  void whatIsThereIsReplacedOnlyBySayingSo() {
+    FakeService fake;
+    const ApplyService service = fake.service();
+    const QTemporaryDir folder;
+    for (const char* name : {"a.vtu", "a-deformed.vtu", "a-deformed-2.vtu", "old.vtu"}) {
+      touch(folder.filePath(name));
+    }
+    ui::ApplyDialog dialog(service, folder.path(), nullptr);
+    const auto* apply = buttonOf(dialog);
+    auto* target = dialog.findChild<QLineEdit*>("target");
+    dialog.findChild<QLineEdit*>("source")->setText(folder.filePath("a.vtu"));
+    QCOMPARE(target->text(), folder.filePath("a-deformed-3.vtu"));
+    QCOMPARE(apply->text(), QString("Apply"));
+    target->setText("old.vtu");
+    QCOMPARE(dialog.request().target, std::filesystem::path(folder.filePath("old.vtu").toStdString()));
+    QCOMPARE(apply->text(), QString("Replace"));
+    QVERIFY(apply->isEnabled());
+  }
+
   void ownTargetIsKept() {
     FakeService fake;
     const ApplyService service = fake.service();

@@ -227,7 +227,8 @@ class LiveDeformationTest : public QObject {
     influences /= scene.mesh->vertexCount();
     const double bytes = static_cast<double>(LiveDeformation(scene.mesh, weights).bytesOfWeights());
     QVERIFY(influences > 5.0);
-    QVERIFY(bytes / scene.mesh->vertexCount() < 128.0 / 16.0 * influences + 32.0);
+    // 4 bytes an influence, and what lists and gaps between them take.
+    QVERIFY(bytes / scene.mesh->vertexCount() < 96.0 / 16.0 * influences + 32.0);
   }
 
   void emptyMeshesAreDeformedToo() {

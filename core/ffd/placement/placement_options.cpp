@@ -44,7 +44,8 @@ void requireValid(const PlacementOptions& options) {
   require("sigma", options.basis.sigma, {0, 100, true}, "a number above 0, up to 100");
   require("the value of the master", options.master, {0, 1e6}, "a number from 0 to 1000000");
   require("the radius factor", options.radiusFactor, {0, 100, true}, "a number above 0, up to 100; 2 is usual");
-  require("the offset", options.offset, {0, 10}, "a share of the diagonal from 0 to 10; 0.05 is usual");
+  require("the offset", options.offset, {0, 10, true},
+          "a share of the diagonal above 0, up to 10; 0.05 is usual");
   require("the exterior share", options.exteriorShare, {0, 1}, "a share of the points from 0 to 1");
   require("the number of sites", options.sites.value_or(0), {0, 1e9}, "a whole number above 0, or all");
 }

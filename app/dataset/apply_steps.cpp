@@ -61,11 +61,10 @@ void remarkIfStill(const Project& project, const std::filesystem::path& source, 
   }
   report.remarks.push_back(
       LevelDisplacements(project.controls.master, project.controls.finest()).isAnyMoved()
-          ? format(
-                "No point of {} lies where the project moves anything, so it was written as it is. Does it lie "
-                "elsewhere or in another size? Fitting it first (--align similarity) helps then.",
-                source.string())
-          : format("The project is at rest, so {} was written as it is.", source.string()));
+          ? format("No point of {} lies where the project moves anything, so none was moved. Does it lie "
+                   "elsewhere or in another size? Fitting it first (--align similarity) helps then.",
+                   source.string())
+          : format("The project is at rest, so nothing in {} was moved.", source.string()));
 }
 
 PlacedSpace placedSpace(const Project& project, bool hasVolumeCells, const std::optional<Similarity>& toRest,

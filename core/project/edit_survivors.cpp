@@ -5,6 +5,7 @@
 #include "core/project/shape.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace pbffd {
 
@@ -28,6 +29,54 @@ void poseByDeformation(const EditScope& scope, const ControlSet& former, Control
   }
 }
 
+namespace {
+
+/// The place of the merged point with this very region, but for rounding; none where there is none.
+std::optional<Index> placeOfTwin(const Level& level, const Frame& rest) {
+  const double size = rest.axes.norm();
+  for (Index i = 0; i < level.size(); ++i) {
+    const Frame& other = level[i].rest;
+    const bool isClose =
+        (other.center - rest.center).norm() < 1e-9 * size && (other.axes - rest.axes).norm() < 1e-9 * size;
+    if (isClose && level[i].kind == PointKind::merged && !level[i].locked) {
+      return i;
+    }
+  }
+  return {};
+}
+
+/// Who stood for `former` stands for `now`.
+void renameMember(Level& coarser, PointId former, PointId now) {
+  for (Index i = 0; i < coarser.size(); ++i) {
+    const std::vector<PointId>& members = coarser[i].mergedFrom;
+    if (std::binary_search(members.begin(), members.end(), former)) {
+      ControlPoint point = coarser[i];
+      std::replace(point.mergedFrom.begin(), point.mergedFrom.end(), former, now);
+      std::sort(point.mergedFrom.begin(), point.mergedFrom.end());
+      coarser.replace(i, std::move(point));
+    }
+  }
+}
+
+/// Puts the survivor into a level built anew: in place of the point that was merged to the same region, if
+/// there is one; else beside the others, for the points built anew stand for all finer ones.
+void settle(ControlPoint survivor, std::vector<Level>& levels, std::size_t place) {
+  Level& level = levels[place];
+  survivor.mergedFrom.clear();
+  const std::optional<Index> twin = placeOfTwin(level, survivor.rest);
+  if (!twin) {
+    level.append(std::move(survivor));
+    return;
+  }
+  survivor.mergedFrom = level[*twin].mergedFrom;
+  if (place > 0) {
+    renameMember(levels[place - 1], level[*twin].id, survivor.id);
+  }
+  level.replace(*twin, std::move(survivor));
+}
+
+}  // namespace
+
 void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made, int kept) {
   const auto formerCount = static_cast<int>(former.levels.size());
   const auto madeCount = static_cast<int>(made.levels.size());
@@ -42,10 +91,7 @@ void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, Contr
         ++homeless;
         continue;
       }
-      // The points built anew stand for all finer ones.
-      ControlPoint survivor = level[i];
-      survivor.mergedFrom.clear();
-      made.levels[std::max(0, madeCount - 1 - fromFinest)].append(std::move(survivor));
+      settle(level[i], made.levels, static_cast<std::size_t>(std::max(0, madeCount - 1 - fromFinest)));
     }
   }
   if (homeless > 0) {

@@ -15,8 +15,9 @@ void poseByDeformation(const EditScope& scope, const ControlSet& former, Control
                        std::size_t levelCount);
 
 /// Puts the survivors of the levels of `former`, but the finest `kept` of them, into the levels of `made` as
-/// far from the finest, or the coarsest there is; there they stand for no finer point any more. Where `made`
-/// has a single level they have no place; a remark says so.
+/// far from the finest, or the coarsest there is. There they stand for no finer point any more, unless a point
+/// was merged to the very same region: its place and its members are the survivor's then. Where `made` has a
+/// single level they have no place; a remark says so.
 void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, ControlSet& made, int kept = 1);
 
 }  // namespace pbffd

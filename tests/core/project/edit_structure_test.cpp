@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <QtTest>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
@@ -255,13 +256,30 @@ class EditStructureTest : public QObject {
     QVERIFY(!one.project.controls.finest().find(700));
   }
 
+  void aLockedPointTakesThePlaceOfItsTwinInARebuild() {
+    const Project project = projectWith();
+    const PointId locked = project.controls.levels[1][0].id;
+    const Project rebuilt = after(after(project, Lock{{2, {locked}}, true}), SetLevels{3});
+    QCOMPARE(rebuilt.controls.levels[1].size(), project.controls.levels[1].size());
+    QCOMPARE(pointOf(rebuilt, locked).mergedFrom, pointOf(project, locked).mergedFrom);
+    const auto parents = std::count_if(
+        rebuilt.controls.levels[0].begin(), rebuilt.controls.levels[0].end(), [&](const ControlPoint& point) {
+          return std::count(point.mergedFrom.begin(), point.mergedFrom.end(), locked) == 1;
+        });
+    QCOMPARE(parents, 1);
+    // With a region of its own it stands beside the one that was merged, for none of the finer points.
+    const Frame larger{pointOf(project, locked).rest.center, 1.5 * pointOf(project, locked).rest.axes};
+    const Project own =
+        after(after(after(project, SetRegion{2, locked, larger}), Lock{{2, {locked}}, true}), SetLevels{3});
+    QCOMPARE(own.controls.levels[1].size(), project.controls.levels[1].size() + 1);
+    QVERIFY(pointOf(own, locked).mergedFrom.empty());
+  }
+
   void aRebuildGivesEachPointOneParent() {
     Project project = projectWith();
-    const PointId locked = project.controls.levels[1][0].id;
-    project = after(project, Lock{{2, {locked}}, true});
+    project = after(project, Lock{{2, {project.controls.levels[1][0].id}}, true});
     for (const int count : {2, 3, 4}) {
       const Project rebuilt = after(project, SetLevels{count});
-      QVERIFY(pointOf(rebuilt, locked).mergedFrom.empty());
       for (std::size_t l = 0; l + 1 < rebuilt.controls.levels.size(); ++l) {
         std::multiset<PointId> members;
         for (const ControlPoint& point : rebuilt.controls.levels[l]) {

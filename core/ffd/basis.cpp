@@ -1,14 +1,13 @@
 #include "core/ffd/basis.h"
 
-#include "core/ffd/block_kernel_body.h"
-
-#include <cmath>
+#include "core/ffd/basis_slope_body.h"
 
 namespace pbffd {
 namespace {
 
 struct Here;
 using Body = BlockBody<Here>;
+using SlopeBody = BasisSlopeBody<Here>;
 
 }  // namespace
 
@@ -31,21 +30,13 @@ Lanes basisValues(const Basis& basis, const Lanes& uSquared) {
 }
 
 double basisSlope(const Basis& basis, double uSquared) {
-  if (!(uSquared < 1.0)) {
-    return 0.0;
-  }
   switch (basis.kernel) {
-    case Kernel::smooth: {
-      const double t = 1.0 - uSquared;
-      return -3.0 * t * t;
-    }
-    case Kernel::wendland: {
-      // d/du is -20 u (1 - u)^3; half of it over u.
-      const double t = 1.0 - std::sqrt(uSquared);
-      return -10.0 * t * t * t;
-    }
+    case Kernel::smooth:
+      return SlopeBody::smooth(uSquared);
+    case Kernel::wendland:
+      return SlopeBody::wendland(uSquared);
     case Kernel::gaussian:
-      return -0.5 * basis.sigma * basis.sigma * Body::gaussian(basis.sigma, uSquared);
+      return SlopeBody::gaussian(basis.sigma, uSquared);
   }
   return 0.0;
 }

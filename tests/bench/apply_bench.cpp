@@ -4,29 +4,38 @@
 
 #include <benchmark/benchmark.h>
 #include <vtkAppendFilter.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
 
-// What `pbffd apply` takes for a .vtu of ten million points and as many cells, and what VTK takes to read and
-// write the same file.
+// What `pbffd apply` takes for a .vtu of as many cells as points, every one of them in the regions of control
+// points that moved, and what VTK takes to read and write the same file. The arguments of each: how the file is
+// written, and the points along its side.
 
 namespace pbffd::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
+enum Mode { raw, asVtkDoesByDefault, ascii };
+
 /// 215^3 points are 9.9 million.
-constexpr int side = 215;
+constexpr int full = 215;
+constexpr int small = 100;
 
-/// state.range(0): how the file is written.
-enum Mode { raw, asVtkDoesByDefault };
+/// Half the side of the cube, which lies within the unit sphere.
+constexpr double half = 0.55;
 
-void write(vtkUnstructuredGrid* grid, const fs::path& path, Mode mode) {
+void write(vtkUnstructuredGrid* grid, const fs::path& path, std::int64_t mode) {
   const vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->SetFileName(path.c_str());
@@ -34,29 +43,42 @@ void write(vtkUnstructuredGrid* grid, const fs::path& path, Mode mode) {
     writer->SetCompressorTypeToNone();
     writer->EncodeAppendedDataOff();
     writer->SetHeaderTypeToUInt64();
+  } else if (mode == ascii) {
+    writer->SetDataModeToAscii();
   }
   writer->Write();
 }
 
-/// A cube of cells about the unit sphere.
-vtkSmartPointer<vtkUnstructuredGrid> cells() {
+/// A cube of cells with a vector at each point.
+vtkSmartPointer<vtkUnstructuredGrid> cells(int side) {
   const vtkNew<vtkImageData> image;
   image->SetDimensions(side, side, side);
-  image->SetOrigin(-1.0, -1.0, -1.0);
-  image->SetSpacing(2.0 / (side - 1), 2.0 / (side - 1), 2.0 / (side - 1));
+  image->SetOrigin(-half, -half, -half);
+  const double spacing = 2.0 * half / (side - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  const vtkNew<vtkFloatArray> velocity;
+  velocity->SetName("velocity");
+  velocity->SetNumberOfComponents(3);
+  velocity->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i) {
+    const double* point = image->GetPoint(i);
+    velocity->SetTuple3(i, -point[1], point[0], 0.5);
+  }
+  image->GetPointData()->AddArray(velocity);
   const vtkNew<vtkAppendFilter> toGrid;
   toGrid->SetInputData(image);
   toGrid->Update();
   return toGrid->GetOutput();
 }
 
-/// The files of all benchmarks, made when first asked for.
+/// The file of a benchmark, made when first asked for.
 class Files {
  public:
-  explicit Files(Mode mode)
-      : folder_(fs::temp_directory_path() / (mode == raw ? "bench_raw" : "bench_default")) {
+  explicit Files(const benchmark::State& state)
+      : folder_(fs::temp_directory_path() /
+                ("bench_apply_" + std::to_string(state.range(0)) + "_" + std::to_string(state.range(1)))) {
     fs::create_directories(folder_);
-    write(cells(), source(), mode);
+    write(cells(static_cast<int>(state.range(1))), source(), state.range(0));
   }
   ~Files() { fs::remove_all(folder_); }
   Files(const Files&) = delete;
@@ -69,13 +91,13 @@ class Files {
   fs::path folder_;
 };
 
-const Files& files(Mode mode) {
-  if (mode == raw) {
-    static const Files ofRaw(raw);
-    return ofRaw;
+const Files& filesOf(const benchmark::State& state) {
+  static std::map<std::pair<std::int64_t, std::int64_t>, std::unique_ptr<Files>> all;
+  std::unique_ptr<Files>& files = all[{state.range(0), state.range(1)}];
+  if (!files) {
+    files = std::make_unique<Files>(state);
   }
-  static const Files ofDefault(asVtkDoesByDefault);
-  return ofDefault;
+  return *files;
 }
 
 /// 200 points about a sphere, every one moved.
@@ -95,26 +117,42 @@ const Project& project() {
 }
 
 void readAndWriteByVtk(benchmark::State& state) {
-  const auto mode = static_cast<Mode>(state.range(0));
-  const Files& file = files(mode);
+  const Files& files = filesOf(state);
   for (auto _ : state) {
     const vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->SetFileName(file.source().c_str());
+    reader->SetFileName(files.source().c_str());
     reader->Update();
-    write(reader->GetOutput(), file.target(), mode);
+    write(reader->GetOutput(), files.target(), state.range(0));
+  }
+}
+
+void applyWith(benchmark::State& state, const ApplyOptions& options) {
+  const Files& files = filesOf(state);
+  project();
+  for (auto _ : state) {
+    applyToFile(project(), files.source(), files.target(), options);
   }
 }
 
 void applyToVtu(benchmark::State& state) {
-  const Files& file = files(static_cast<Mode>(state.range(0)));
-  project();
-  for (auto _ : state) {
-    applyToFile(project(), file.source(), file.target());
-  }
+  applyWith(state, {});
 }
 
-BENCHMARK(readAndWriteByVtk)->Arg(raw)->Arg(asVtkDoesByDefault)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(applyToVtu)->Arg(raw)->Arg(asVtkDoesByDefault)->Unit(benchmark::kMillisecond)->UseRealTime();
+void applyAndTurnVectors(benchmark::State& state) {
+  ApplyOptions options;
+  options.transports = {parseTransport("velocity")};
+  applyWith(state, options);
+}
+
+void files(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgsProduct({{raw, asVtkDoesByDefault, ascii}, {small, full}})
+      ->ArgNames({"mode", "side"})
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+BENCHMARK(readAndWriteByVtk)->Apply(files);
+BENCHMARK(applyToVtu)->Apply(files);
+BENCHMARK(applyAndTurnVectors)->Apply(files);
 
 }  // namespace
 }  // namespace pbffd::bench

@@ -1,5 +1,6 @@
 #include "core/ffd/deform/space_portion.h"
 
+#include "core/ffd/deform/space_kernels.h"
 #include "core/ffd/weights/membership.h"
 
 #include <algorithm>
@@ -43,48 +44,8 @@ std::vector<Index> cellOrder(const Points& places) {
   return order;
 }
 
-/// A vector a lane.
-struct LaneVectors {
-  Lanes x{};
-  Lanes y{};
-  Lanes z{};
-
-  Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
-};
-
-LaneVectors pointsOf(const PointBlocks& blocks, Index block) {
-  LaneVectors points;
-  for (Index k = 0; k < PointBlocks::blockSize; ++k) {
-    const Vec3 point = blocks.point(block, k);
-    const auto lane = static_cast<std::size_t>(k);
-    points.x[lane] = point.x();
-    points.y[lane] = point.y();
-    points.z[lane] = point.z();
-  }
-  return points;
-}
-
-/// Adds weight x displacement to each lane: the very bits of Displacement at each point.
-void add(const Displacement& displacement, const LaneVectors& points, const Lanes& weights, LaneVectors& sum) {
-  const Mat3& a = displacement.linear;
-  const Vec3& center = displacement.center;
-  const Vec3& shift = displacement.shift;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const double x = points.x[k] - center.x();
-    const double y = points.y[k] - center.y();
-    const double z = points.z[k] - center.z();
-    sum.x[k] += weights[k] * (a(0, 0) * x + a(0, 1) * y + a(0, 2) * z + shift.x());
-    sum.y[k] += weights[k] * (a(1, 0) * x + a(1, 1) * y + a(1, 2) * z + shift.y());
-    sum.z[k] += weights[k] * (a(2, 0) * x + a(2, 1) * y + a(2, 2) * z + shift.z());
-  }
-}
-
-Lanes product(const Lanes& a, const Lanes& b) {
-  Lanes result;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    result[k] = a[k] * b[k];
-  }
-  return result;
+DisplacementNumbers numbersOf(const Displacement& displacement) {
+  return {displacement.center.data(), displacement.linear.data(), displacement.shift.data()};
 }
 
 /// Evaluates the places of one portion, block by block.
@@ -157,73 +118,81 @@ class PortionEvaluation {
     return nearest;
   }
 
+  SpaceTerm termOf(Index block, const Displacement& displacement, const Lanes& values) const {
+    return {blocks_.numbers(block), numbersOf(displacement), values.data(), block_.toWeight().data()};
+  }
+
   void movePositions(Index block, Points& positions) const {
-    const LaneVectors points = pointsOf(blocks_, block);
+    const SpaceKernels& kernels = spaceKernels();
     const BlockList list = lists_.list(block);
     const LevelDisplacements& displacements = space_.displacements;
-    LaneVectors sum;
+    alignas(64) std::array<double, 48> sums{};
     unsigned reached = 0;
     for (std::size_t e = 0; e < list.points.size(); ++e) {
       if (const auto j = static_cast<std::size_t>(list.points[e]); displacements.isMoved[j] != 0) {
-        add(displacements.points[j], points, product(block_.entries()[e], block_.toWeight()), sum);
+        kernels.addDisplacement(termOf(block, displacements.points[j], block_.entries()[e]), sums.data());
         reached |= list.members[e];
       }
     }
     if (displacements.isMasterMoved) {
-      add(displacements.master, points, product(block_.master(), block_.toWeight()), sum);
+      kernels.addDisplacement(termOf(block, displacements.master, block_.master()), sums.data());
       reached = ~0U;
     }
+    const double* const points = blocks_.numbers(block);
     for (std::size_t k = 0; k < slotsIn(block); ++k) {
       // A place that nothing moves keeps its very bits, the sign of a zero included.
       if ((reached >> k & 1U) != 0 && block_.toWeight()[k] > 0.0) {
-        positions.row(order_[firstSlot(block) + k]) = (points[k] + sum[k]).transpose();
+        positions.row(order_[firstSlot(block) + k]) << points[k] + sums[k], points[16 + k] + sums[16 + k],
+            points[32 + k] + sums[32 + k];
       }
-    }
-  }
-
-  void turn(Index block, std::vector<Mat3>& gradients) const {
-    const BlockList list = lists_.list(block);
-    for (std::size_t k = 0; k < slotsIn(block); ++k) {
-      gradients[static_cast<std::size_t>(order_[firstSlot(block) + k])] = gradientAt(block, k, list);
     }
   }
 
   /// I + sum_j w_j grad d_j + d_j (grad w_j)^T, with grad w_j = (grad f_j - w_j sum_i grad f_i) /
   /// sum_i f_i for the basis values f.
-  Mat3 gradientAt(Index block, std::size_t k, const BlockList& list) const {
-    const Vec3 place = blocks_.point(block, static_cast<Index>(k));
-    const double toWeight = block_.toWeight()[k];
-    Mat3 gradient = Mat3::Identity();
-    Vec3 slopes = Vec3::Zero();
-    Vec3 displaced = Vec3::Zero();
-    const auto addTerm = [&](const Displacement& displacement, bool isMoved, double weight, const Vec3& slope) {
-      slopes += slope;
-      if (isMoved) {
-        const Vec3 moved = displacement(place);
-        gradient += weight * displacement.linear + toWeight * moved * slope.transpose();
-        displaced += weight * moved;
-      }
-    };
-    for (std::size_t e = 0; e < list.points.size(); ++e) {
-      if ((list.members[e] >> k & 1U) != 0) {
-        const Index j = list.points[e];
-        const auto at = static_cast<std::size_t>(j);
-        addTerm(space_.displacements.points[at], space_.displacements.isMoved[at] != 0,
-                block_.entries()[e][k] * toWeight,
-                slopeOf(space_.values.region(j), space_.values.strength(j), place));
+  void turn(Index block, std::vector<Mat3>& gradients) const {
+    const GradientSums sums = gradientSums(block);
+    for (std::size_t k = 0; k < slotsIn(block); ++k) {
+      Mat3& gradient = gradients[static_cast<std::size_t>(order_[firstSlot(block) + k])];
+      for (std::size_t row = 0; row < 3; ++row) {
+        const double displaced = block_.toWeight()[k] * sums.displaced[16 * row + k];
+        for (std::size_t column = 0; column < 3; ++column) {
+          gradient(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+              sums.linear[16 * (3 * row + column) + k] - displaced * sums.slopes[16 * column + k];
+        }
       }
     }
-    const bool varies = space_.values.hasMasterRegion();
-    addTerm(space_.displacements.master, space_.displacements.isMasterMoved, block_.master()[k] * toWeight,
-            varies ? slopeOf(space_.values.masterRegion(), 1.0, place) : Vec3(Vec3::Zero()));
-    return gradient - toWeight * displaced * slopes.transpose();
   }
 
-  /// The gradient of a basis value over space.
-  Vec3 slopeOf(const Region& region, double strength, const Vec3& place) const {
-    const Vec3 u = region.parameter(place);
-    const double slope = 2.0 * strength * basisSlope(space_.values.basis(), u.squaredNorm());
-    return slope * (region.toLocal.transpose() * u);
+  /// Beginning from the identity.
+  GradientSums gradientSums(Index block) const {
+    const SpaceKernels& kernels = spaceKernels();
+    const LevelDisplacements& displacements = space_.displacements;
+    const BlockList list = lists_.list(block);
+    GradientSums sums{};
+    for (std::size_t diagonal = 0; diagonal < 3; ++diagonal) {
+      std::fill_n(sums.linear + 64 * diagonal, 16, 1.0);
+    }
+    const auto add = [&](const Displacement& displacement, bool isMoved, const Lanes& values,
+                         const InfluenceNumbers& influence) {
+      if (isMoved) {
+        kernels.addGradient(termOf(block, displacement, values), influence, sums);
+      } else {
+        kernels.addSlope(blocks_.numbers(block), influence, sums);
+      }
+    };
+    const RadialNumbers radial = numbersOf(space_.values.basis());
+    for (std::size_t e = 0; e < list.points.size(); ++e) {
+      const Index j = list.points[e];
+      const auto at = static_cast<std::size_t>(j);
+      add(displacements.points[at], displacements.isMoved[at] != 0, block_.entries()[e],
+          {space_.values.region(j).numbers(), radial, space_.values.strength(j), list.members[e]});
+    }
+    // A constant master has no slope anywhere.
+    const unsigned varying = space_.values.hasMasterRegion() ? 0xffffU : 0U;
+    add(displacements.master, displacements.isMasterMoved, block_.master(),
+        {space_.values.masterRegion().numbers(), radial, 1.0, varying});
+    return sums;
   }
 
   const PreparedSpace& space_;

@@ -2,12 +2,25 @@
 
 #include "core/ffd/basis_slope_body.h"
 
+#include <cmath>
+#include <limits>
+
 namespace pbffd {
 namespace {
 
 struct Here;
 using Body = BlockBody<Here>;
 using SlopeBody = BasisSlopeBody<Here>;
+
+/// 1 / r^2 of axes that have one length r, 0 of others.
+double inverseSquareOfSphere(const Mat3& axes) {
+  // What turning a frame leaves of equal lengths.
+  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+  const Vec3 squares = axes.colwise().squaredNorm();
+  const bool areEqual = squares.maxCoeff() - squares.minCoeff() <= rounding * squares.maxCoeff();
+  const double inverse = 1.0 / squares[0];
+  return areEqual && std::isfinite(inverse) ? inverse : 0.0;
+}
 
 }  // namespace
 
@@ -50,6 +63,9 @@ Mat3 inverseOfOrthogonal(const Mat3& axes) {
 }
 
 Region::Region(const Frame& rest)
-    : center(rest.center), toLocal(inverseOfOrthogonal(rest.axes)), halfSizes_(rest.axes.rowwise().norm()) {}
+    : center(rest.center),
+      toLocal(inverseOfOrthogonal(rest.axes)),
+      inverseSquare(inverseSquareOfSphere(rest.axes)),
+      halfSizes_(rest.axes.rowwise().norm()) {}
 
 }  // namespace pbffd

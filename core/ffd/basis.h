@@ -39,6 +39,8 @@ double basisSlope(const Basis& basis, double uSquared);
 struct Region {
   Vec3 center;
   Mat3 toLocal;  ///< rows a/|a|^2, b/|b|^2, c/|c|^2
+  /// 1 / r^2 where the axes have one length r but for rounding, so that the region is a sphere; 0 elsewhere.
+  double inverseSquare;
 
   explicit Region(const Frame& rest);
 
@@ -52,12 +54,19 @@ struct Region {
             toLocal(1, 0) * x + toLocal(1, 1) * y + toLocal(1, 2) * z,
             toLocal(2, 0) * x + toLocal(2, 1) * y + toLocal(2, 2) * z};
   }
+  /// |u|^2; in a sphere as |v - center|^2 / r^2.
   double squaredDistance(const Vec3& point) const {
+    if (inverseSquare > 0.0) {
+      const double x = point.x() - center.x();
+      const double y = point.y() - center.y();
+      const double z = point.z() - center.z();
+      return (x * x + y * y + z * z) * inverseSquare;
+    }
     const Vec3 u = parameter(point);
     return u.x() * u.x() + u.y() * u.y() + u.z() * u.z();
   }
 
-  RegionNumbers numbers() const { return {center.data(), toLocal.data()}; }
+  RegionNumbers numbers() const { return {center.data(), toLocal.data(), inverseSquare}; }
 
   /// The half sizes of the axis-aligned box around the ellipsoid.
   Vec3 halfSizes() const { return halfSizes_; }

@@ -3,6 +3,11 @@
 #include "core/ffd/block_kernels.h"
 
 #include <cmath>
+#include <limits>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
 namespace pbffd {
 
@@ -54,32 +59,110 @@ struct BlockBody {
     return x < -708.0 ? 0.0 : power * (1.0 + (r + r * r * series));
   }
 
-  static double squaredDistance(const double* points, const RegionNumbers& region, std::size_t k) {
-    const double* m = region.toLocal;
-    const double x = points[k] - region.center[0];
-    const double y = points[16 + k] - region.center[1];
-    const double z = points[32 + k] - region.center[2];
-    const double a = m[0] * x + m[3] * y + m[6] * z;
-    const double b = m[1] * x + m[4] * y + m[7] * z;
-    const double c = m[2] * x + m[5] * y + m[8] * z;
-    return a * a + b * b + c * c;
+  /// |u|^2 of the k-th of 16 points in a region whose axes have one length.
+  struct Sphere {
+    double x;
+    double y;
+    double z;
+    double inverseSquare;
+
+    explicit Sphere(const RegionNumbers& region)
+        : x(region.center[0]), y(region.center[1]), z(region.center[2]), inverseSquare(region.inverseSquare) {}
+    double operator()(const double* points, std::size_t k) const {
+      const double a = points[k] - x;
+      const double b = points[16 + k] - y;
+      const double c = points[32 + k] - z;
+      return (a * a + b * b + c * c) * inverseSquare;
+    }
+  };
+
+  /// The same in any region.
+  struct Ellipsoid {
+    double center[3];
+    double m[9];
+
+    explicit Ellipsoid(const RegionNumbers& region) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        center[i] = region.center[i];
+      }
+      for (std::size_t i = 0; i < 9; ++i) {
+        m[i] = region.toLocal[i];
+      }
+    }
+    double operator()(const double* points, std::size_t k) const {
+      const double x = points[k] - center[0];
+      const double y = points[16 + k] - center[1];
+      const double z = points[32 + k] - center[2];
+      const double a = m[0] * x + m[3] * y + m[6] * z;
+      const double b = m[1] * x + m[4] * y + m[7] * z;
+      const double c = m[2] * x + m[5] * y + m[8] * z;
+      return a * a + b * b + c * c;
+    }
+  };
+
+  /// Calls visit(distance), distance(points, k) being |u|^2.
+  template <class Visit>
+  static void withDistance(const RegionNumbers& region, const Visit& visit) {
+    if (region.inverseSquare > 0.0) {
+      visit(Sphere(region));
+    } else {
+      visit(Ellipsoid(region));
+    }
+  }
+
+  /// Calls visit(value), value(uSquared) being the basis value.
+  template <class Visit>
+  static void withRadial(const RadialNumbers& radial, const Visit& visit) {
+    if (radial.kernel == 0) {
+      visit([](double uSquared) { return smooth(uSquared); });
+    } else if (radial.kernel == 1) {
+      visit([](double uSquared) { return wendland(uSquared); });
+    } else {
+      visit([sigma = radial.sigma](double uSquared) { return gaussian(sigma, uSquared); });
+    }
   }
 
   static void squaredDistances(const double* points, const RegionNumbers& region, double* uSquared) {
-    for (std::size_t k = 0; k < 16; ++k) {
-      uSquared[k] = squaredDistance(points, region, k);
-    }
+    withDistance(region, [&](const auto& distance) {
+      for (std::size_t k = 0; k < 16; ++k) {
+        uSquared[k] = distance(points, k);
+      }
+    });
   }
 
   static unsigned inside(const double* points, const RegionNumbers& region) {
     alignas(64) double uSquared[16];
     squaredDistances(points, region, uSquared);
+    return below<16>(uSquared, 1.0);
+  }
+
+  /// Bit k: whether the k-th number is less than `border`.
+  template <unsigned count>
+  static unsigned below(const double* numbers, double border) {
     unsigned mask = 0;
-    for (unsigned k = 0; k < 16; ++k) {
-      mask |= static_cast<unsigned>(uSquared[k] < 1.0) << k;
+    for (unsigned k = 0; k < count; k += lanes) {
+      mask |= belowInRegister(numbers + k, border) << k;
     }
     return mask;
   }
+
+#if defined(__AVX512F__)
+  static constexpr unsigned lanes = 8;
+  static unsigned belowInRegister(const double* numbers, double border) {
+    return _mm512_cmp_pd_mask(_mm512_loadu_pd(numbers), _mm512_set1_pd(border), _CMP_LT_OQ);
+  }
+#elif defined(__AVX2__)
+  static constexpr unsigned lanes = 4;
+  static unsigned belowInRegister(const double* numbers, double border) {
+    const __m256d less = _mm256_cmp_pd(_mm256_loadu_pd(numbers), _mm256_set1_pd(border), _CMP_LT_OQ);
+    return static_cast<unsigned>(_mm256_movemask_pd(less));
+  }
+#else
+  static constexpr unsigned lanes = 1;
+  static unsigned belowInRegister(const double* numbers, double border) {
+    return static_cast<unsigned>(*numbers < border);
+  }
+#endif
 
   /// The square of max(|center| - half, 0); not a number stays so, and meets nothing.
   static double squaredGap(double center, double half) {
@@ -87,12 +170,26 @@ struct BlockBody {
     return gap < 0.0 ? 0.0 : gap * gap;
   }
 
+  /// Bounds |u|^2 over 8 boxes from below and above.
+  static void bounds(const double* boxes, const Sphere& region, double* nearest, double* farthest) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double x = boxes[k] - region.x;
+      const double y = boxes[8 + k] - region.y;
+      const double z = boxes[16 + k] - region.z;
+      const double* half = boxes + 24 + k;
+      nearest[k] =
+          (squaredGap(x, half[0]) + squaredGap(y, half[8]) + squaredGap(z, half[16])) * region.inverseSquare;
+      const double a = std::abs(x) + half[0];
+      const double b = std::abs(y) + half[8];
+      const double c = std::abs(z) + half[16];
+      farthest[k] = (a * a + b * b + c * c) * region.inverseSquare;
+    }
+  }
+
   /// In the region's own frame: the nearest and the farthest point of the box that encloses the turned box, the
   /// farthest moved out by the rounding of its terms.
-  static unsigned meets(const double* boxes, const RegionNumbers& region) {
-    alignas(64) double nearest[8];
-    alignas(64) double farthest[8];
-    const double* m = region.toLocal;
+  static void bounds(const double* boxes, const Ellipsoid& region, double* nearest, double* farthest) {
+    const double* m = region.m;
     for (std::size_t k = 0; k < 8; ++k) {
       const double x = boxes[k] - region.center[0];
       const double y = boxes[8 + k] - region.center[1];
@@ -113,50 +210,80 @@ struct BlockBody {
       nearest[k] = near;
       farthest[k] = far;
     }
-    unsigned mask = 0;
-    for (unsigned k = 0; k < 8; ++k) {
-      mask |= static_cast<unsigned>(nearest[k] < 1.0 + 1e-9) << k;
-      mask |= static_cast<unsigned>(farthest[k] < 1.0 - 1e-9) << (8 + k);
-    }
-    return mask;
+  }
+
+  static unsigned meets(const double* boxes, const RegionNumbers& region) {
+    alignas(64) double nearest[8];
+    alignas(64) double farthest[8];
+    withDistance(region, [&](const auto& shape) { bounds(boxes, shape, nearest, farthest); });
+    return below<8>(nearest, 1.0 + 1e-9) | below<8>(farthest, 1.0 - 1e-9) << 8U;
   }
 
   static void radial(const RadialNumbers& radial, const double* uSquared, double* values) {
-    if (radial.kernel == 0) {
+    withRadial(radial, [&](const auto& value) {
       for (std::size_t k = 0; k < 16; ++k) {
-        values[k] = smooth(uSquared[k]);
+        values[k] = value(uSquared[k]);
       }
-    } else if (radial.kernel == 1) {
-      for (std::size_t k = 0; k < 16; ++k) {
-        values[k] = wendland(uSquared[k]);
-      }
-    } else {
-      const double sigma = radial.sigma;
-      for (std::size_t k = 0; k < 16; ++k) {
-        values[k] = gaussian(sigma, uSquared[k]);
-      }
-    }
+    });
   }
 
-  static void memberValues(const double* points, const InfluenceNumbers& influence, double* values,
-                           double* sums) {
-    alignas(64) double uSquared[16];
-    squaredDistances(points, influence.region, uSquared);
-    radial(influence.radial, uSquared, values);
-    for (unsigned k = 0; k < 16; ++k) {
-      const double value = (influence.members >> k & 1U) != 0 ? influence.strength * values[k] : 0.0;
-      values[k] = value;
-      sums[k] += value;
-    }
-  }
+  static constexpr std::uint64_t bits[16] = {0x1,   0x2,   0x4,   0x8,   0x10,   0x20,   0x40,   0x80,
+                                             0x100, 0x200, 0x400, 0x800, 0x1000, 0x2000, 0x4000, 0x8000};
 
-  static void weights(const double* values, const double* toWeight, float* weights) {
+  /// Of one control point.
+  template <class Distance, class Value>
+  static void addMembers(const double* points, const InfluenceNumbers& influence, const Distance& distance,
+                         const Value& value, double* values, double* sums) {
+    const std::uint64_t members = influence.members;
+    const double strength = influence.strength;
+    alignas(64) double own[16];
     for (std::size_t k = 0; k < 16; ++k) {
-      weights[k] = static_cast<float>(values[k] * toWeight[k]);
+      const double all = strength * value(distance(points, k));
+      own[k] = (members & bits[k]) != 0 ? all : 0.0;
+      sums[k] += own[k];
+    }
+    for (std::size_t k = 0; k < 16; ++k) {
+      values[k] = own[k];
     }
   }
 
-  static constexpr BlockKernels all{&squaredDistances, &inside, &meets, &radial, &memberValues, &weights};
+  static void memberValues(const double* points, const InfluenceNumbers* influences, std::size_t count,
+                           double* values, double* sums) {
+    if (count == 0) {
+      return;
+    }
+    alignas(64) double total[16];
+    for (std::size_t k = 0; k < 16; ++k) {
+      total[k] = sums[k];
+    }
+    withRadial(influences->radial, [&](const auto& value) {
+      for (std::size_t i = 0; i < count; ++i) {
+        withDistance(influences[i].region, [&](const auto& distance) {
+          addMembers(points, influences[i], distance, value, values + 16 * i, total);
+        });
+      }
+    });
+    for (std::size_t k = 0; k < 16; ++k) {
+      sums[k] = total[k];
+    }
+  }
+
+  static void inverses(const double* sums, double* inverses) {
+    for (std::size_t k = 0; k < 16; ++k) {
+      inverses[k] = sums[k] >= std::numeric_limits<double>::min() ? 1.0 / sums[k] : 0.0;
+    }
+  }
+
+  static void weights(const double* values, std::size_t count, const double* toWeight, float* weights) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 16; ++k) {
+        weights[16 * i + k] = static_cast<float>(values[16 * i + k] * toWeight[k]);
+      }
+    }
+  }
+
+  static constexpr BlockKernels all{&squaredDistances, &inside,   &meets,  &radial,
+                                    &memberValues,     &inverses, &weights};
 };
 
 }  // namespace pbffd

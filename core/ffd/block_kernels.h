@@ -8,10 +8,11 @@
 
 namespace pbffd {
 
-/// The numbers of a Region: center x y z; toLocal column after column.
+/// The numbers of a Region: center x y z; toLocal column after column; inverseSquare.
 struct RegionNumbers {
   const double* center;
   const double* toLocal;
+  double inverseSquare;
 };
 
 /// A radial function: 0 smooth, 1 wendland, 2 gaussian (the order of Kernel).
@@ -40,10 +41,14 @@ struct BlockKernels {
   unsigned (*meets)(const double* boxes, const RegionNumbers& region);
   /// The basis values of 16 squared distances; 0 from the border on.
   void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);
-  /// strength x basis value at the members among 16 points and 0 at the others; adds them to `sums`.
-  void (*memberValues)(const double* points, const InfluenceNumbers& influence, double* values, double* sums);
-  /// value x toWeight in single precision.
-  void (*weights)(const double* values, const double* toWeight, float* weights);
+  /// Of one control point after the other, all with the same radial function, strength x basis value at the
+  /// members among 16 points and 0 at the others: 16 numbers each in `values`; adds them to the 16 `sums`.
+  void (*memberValues)(const double* points, const InfluenceNumbers* influences, std::size_t count,
+                       double* values, double* sums);
+  /// 1 over each of 16 sums; 0 where that is not finite.
+  void (*inverses)(const double* sums, double* inverses);
+  /// value x toWeight in single precision, of `count` times 16 values.
+  void (*weights)(const double* values, std::size_t count, const double* toWeight, float* weights);
 };
 
 /// The fastest that both this processor and this build have.

@@ -115,8 +115,8 @@ struct SpaceBody {
       u[k] = row(m, x, y, z);
       u[16 + k] = row(m + 1, x, y, z);
       u[32 + k] = row(m + 2, x, y, z);
-      uSquared[k] = u[k] * u[k] + u[16 + k] * u[16 + k] + u[32 + k] * u[32 + k];
     }
+    BlockBody<Here>::squaredDistances(points, influence.region, uSquared);
     radialSlopes(influence.radial, uSquared, radial);
     const double twice = 2.0 * influence.strength;
     const unsigned members = influence.members;

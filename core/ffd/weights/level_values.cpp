@@ -1,6 +1,6 @@
 #include "core/ffd/weights/level_values.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace pbffd {
 
@@ -27,21 +27,21 @@ Lanes LevelValues::master(const PointBlocks& blocks, Index block) const {
 }
 
 void BlockValues::evaluate(Index block, const BlockList& list) {
-  const BlockKernels& kernels = blockKernels();
-  entries_.resize(list.points.size());
-  Lanes total{};
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
+  const RadialNumbers radial = numbersOf(values_->basis());
+  influences_.clear();
+  for (std::size_t e = 0; e < list.points.size(); ++e) {
     const Index j = list.points[e];
-    const InfluenceNumbers influence{values_->region(j).numbers(), numbersOf(values_->basis()),
-                                     values_->strength(j), list.members[e]};
-    kernels.memberValues(blocks_->numbers(block), influence, entries_[e].data(), total.data());
+    influences_.push_back({values_->region(j).numbers(), radial, values_->strength(j), list.members[e]});
   }
+  entries_.resize(std::max(entries_.size(), influences_.size()));
+  Lanes total{};
+  blockKernels().memberValues(blocks_->numbers(block), influences_.data(), influences_.size(),
+                              entries_.data()->data(), total.data());
   master_ = values_->master(*blocks_, block);
   for (std::size_t k = 0; k < total.size(); ++k) {
     total[k] += master_[k];
-    // A sum whose inverse is not finite counts as 0.
-    toWeight_[k] = total[k] >= std::numeric_limits<double>::min() ? 1.0 / total[k] : 0.0;
   }
+  blockKernels().inverses(total.data(), toWeight_.data());
 }
 
 }  // namespace pbffd

@@ -56,7 +56,7 @@ class BlockValues {
   void evaluate(Index block, const BlockList& list);
 
   /// The values of the list's entries at the 16 points; 0 at those that are no members.
-  const std::vector<Lanes>& entries() const { return entries_; }
+  std::span<const Lanes> entries() const { return {entries_.data(), influences_.size()}; }
   const Lanes& master() const { return master_; }
   /// 1 over the sum of all values, taken in the order of the list and the master last; 0 where nothing
   /// reaches a point, which then stays.
@@ -65,7 +65,8 @@ class BlockValues {
  private:
   const LevelValues* values_;
   const PointBlocks* blocks_;
-  std::vector<Lanes> entries_;
+  std::vector<InfluenceNumbers> influences_;  ///< of the list's entries
+  std::vector<Lanes> entries_;                ///< room for those of the longest list so far
   Lanes master_{};
   Lanes toWeight_{};
 };

@@ -20,14 +20,32 @@ void forEachEntry(const Membership& membership, Index begin, Index end, const Vi
 }  // namespace
 
 Membership pointsInside(const PointBlocks& blocks, const Region& region) {
-  Membership inside;
-  blocks.forEachNear(region, [&](Index block, bool isWhole) {
-    if (const std::uint16_t mask = isWhole ? blocks.all(block) : blocks.inside(block, region); mask != 0) {
-      inside.blocks.push_back(block);
-      inside.members.push_back(mask);
+  // First the blocks alone, so that those whose points are to be looked at can be fetched in time.
+  constexpr std::size_t fetchedAhead = 8;
+  Membership found;
+  blocks.forEachNear(region, [&](Index begin, Index end, bool isWhole) {
+    for (Index block = begin; block < end; ++block) {
+      found.blocks.push_back(block);
+      found.members.push_back(isWhole ? blocks.all(block) : std::uint16_t{0});
     }
   });
-  return inside;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < found.blocks.size(); ++e) {
+    if (const std::size_t next = e + fetchedAhead; next < found.blocks.size() && found.members[next] == 0) {
+      const double* numbers = blocks.numbers(found.blocks[next]);
+      for (std::size_t line = 0; line < 48; line += 8) {
+        __builtin_prefetch(numbers + line);
+      }
+    }
+    const Index block = found.blocks[e];
+    const std::uint16_t members = found.members[e] != 0 ? found.members[e] : blocks.inside(block, region);
+    found.blocks[count] = block;
+    found.members[count] = members;
+    count += members != 0;
+  }
+  found.blocks.resize(count);
+  found.members.resize(count);
+  return found;
 }
 
 BlockLists listsOf(const std::vector<Membership>& memberships, Index blockCount) {

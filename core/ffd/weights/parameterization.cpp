@@ -53,10 +53,8 @@ Parameterization parameterize(const RestMesh& mesh, const Basis& basis, const Ma
                   block.evaluate(static_cast<Index>(b), result.list(static_cast<Index>(b)));
                   float* weights = result.weights.data() +
                                    static_cast<std::size_t>(result.blockStart[b]) * Parameterization::blockSize;
-                  for (const Lanes& entry : block.entries()) {
-                    blockKernels().weights(entry.data(), block.toWeight().data(), weights);
-                    weights += Parameterization::blockSize;
-                  }
+                  blockKernels().weights(block.entries().data()->data(), block.entries().size(),
+                                         block.toWeight().data(), weights);
                   unsigned masterMembers = 0;
                   for (unsigned k = 0; k < Parameterization::blockSize; ++k) {
                     masterMembers |= static_cast<unsigned>(block.master()[k] * block.toWeight()[k] > 0.0) << k;

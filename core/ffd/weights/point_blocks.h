@@ -41,8 +41,9 @@ class PointBlocks {
   /// Bit k: whether the block has a k-th point; all but in the last block.
   std::uint16_t all(Index block) const { return block + 1 < blockCount() ? std::uint16_t{0xffff} : allOfLast_; }
 
-  /// Calls visit(block, isWhole) for the blocks that may have a point in the region, ascending: all that have
-  /// one, and a few more. isWhole: inside() would say that all of its points are in the region.
+  /// Calls visit(begin, end, isWhole) for the blocks [begin, end) that may have a point in the region,
+  /// ascending: all that have one, and a few more. isWhole: inside() would say that all of their points are in
+  /// the region.
   template <class Visit>
   void forEachNear(const Region& region, const Visit& visit) const {
     if (!levels_.back().empty()) {
@@ -71,11 +72,9 @@ class PointBlocks {
       const Index box = 8 * boxes + k;
       if ((found >> (8 + k) & 1U) != 0) {
         const std::int64_t end = std::int64_t{box + 1} << 3 * level;
-        for (Index block = box << 3 * level; block < std::min<std::int64_t>(end, blockCount()); ++block) {
-          visit(block, true);
-        }
+        visit(box << 3 * level, static_cast<Index>(std::min<std::int64_t>(end, blockCount())), true);
       } else if (level == 0) {
-        visit(box, false);
+        visit(box, box + 1, false);
       } else {
         descend(region, level - 1, box, visit);
       }

@@ -62,6 +62,23 @@ class BasisTest : public QObject {
     QCOMPARE(region.squaredDistance(frame.center), 0.0);
   }
 
+  void turnedSphereIsASphere() {
+    Frame frame = turnedFrame();
+    const Vec3 place(1.3, 1.6, 3.4);
+    QCOMPARE(Region(frame).inverseSquare, 0.0);
+    for (Index k = 0; k < 3; ++k) {
+      frame.axes.col(k) *= 0.7 / frame.axes.col(k).norm();
+    }
+    const Region turned(frame);
+    const Region upright({frame.center, 0.7 * Mat3::Identity()});
+    QVERIFY(std::abs(upright.inverseSquare - 1.0 / 0.49) < 1e-15);
+    QVERIFY(std::abs(turned.inverseSquare - upright.inverseSquare) < 1e-14);
+    QVERIFY(std::abs(turned.squaredDistance(place) - turned.parameter(place).squaredNorm()) < 1e-15);
+    QVERIFY(std::abs(turned.squaredDistance(place) - upright.squaredDistance(place)) < 1e-15);
+    frame.axes.col(1) *= 1.0 + 1e-12;
+    QCOMPARE(Region(frame).inverseSquare, 0.0);
+  }
+
   void halfSizesBoundTheEllipsoidTightly() {
     const Frame frame = turnedFrame();
     const Region region(frame);

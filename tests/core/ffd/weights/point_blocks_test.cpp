@@ -70,10 +70,10 @@ class PointBlocksTest : public QObject {
     for (const ControlPoint& point : scene.set.finest()) {
       const Region region(point.rest);
       Index last = -1;
-      blocks.forEachNear(region, [&](Index block, bool isWhole) {
-        QVERIFY(block > last);
-        last = block;
-        if (isWhole) {
+      blocks.forEachNear(region, [&](Index begin, Index end, bool isWhole) {
+        QVERIFY(begin > last && end > begin && end <= blocks.blockCount());
+        last = end - 1;
+        for (Index block = begin; isWhole && block < end; ++block) {
           QCOMPARE(blocks.inside(block, region), blocks.all(block));
           whole.insert(block);
         }

@@ -16,7 +16,7 @@ namespace {
 /// Up to so many points plain arrays are faster than a tree.
 constexpr Index fewPoints = 512;
 
-/// The best merge of `owner`, as it was when it was looked for.
+/// The best merge of `owner`, as it was when it was looked for, or the nearest.
 struct Candidate {
   double cost;
   Index low;
@@ -24,6 +24,7 @@ struct Candidate {
   Index owner;
   std::uint32_t ownerVersion;
   std::uint32_t partnerVersion;
+  bool isSure;  ///< else the rules have still to be asked: the cost is the least that it may be
 
   Index partner() const { return owner == low ? high : low; }
   bool operator<(const Candidate& other) const {
@@ -33,7 +34,7 @@ struct Candidate {
 };
 
 /// Every point has one candidate in the queue at most. A candidate whose partner changed is looked for
-/// again only when it comes up: since then its cost can only have grown.
+/// again only when it comes up: since then its cost can only have grown. Nor are the rules asked before.
 class ClosestFirst {
  public:
   ClosestFirst(const Points& points, const MergeRules& rules)
@@ -41,14 +42,14 @@ class ClosestFirst {
     std::vector<PartnerSearch::Partner> partners(static_cast<std::size_t>(count_));
     parallelFor(partners.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        partners[i] = search_.best(static_cast<Index>(i));
+        partners[i] = search_.nearest(static_cast<Index>(i));
       }
     });
     std::vector<Candidate> candidates;
     candidates.reserve(partners.size());
     for (std::size_t i = 0; i < partners.size(); ++i) {
       if (partners[i].place >= 0) {
-        candidates.push_back(candidate(static_cast<Index>(i), partners[i]));
+        candidates.push_back(candidate(static_cast<Index>(i), partners[i], false));
       }
     }
     queue_ = std::priority_queue<Candidate>({}, std::move(candidates));
@@ -66,6 +67,10 @@ class ClosestFirst {
       }
       if (!search_.isAlive(top.partner()) || search_.version(top.partner()) != top.partnerVersion) {
         push(top.owner);
+        continue;
+      }
+      if (!top.isSure && search_.factorOf(top.low, top.high) != 1.0) {
+        pushBest(top.owner);
         continue;
       }
       search_.merge(top.low, top.high);
@@ -88,13 +93,19 @@ class ClosestFirst {
   }
 
  private:
-  Candidate candidate(Index owner, const PartnerSearch::Partner& partner) const {
+  Candidate candidate(Index owner, const PartnerSearch::Partner& partner, bool isSure) const {
     return {partner.cost, std::min(owner, partner.place), std::max(owner, partner.place),
-            owner,        search_.version(owner),         search_.version(partner.place)};
+            owner,        search_.version(owner),         search_.version(partner.place),
+            isSure};
   }
   void push(Index owner) {
+    if (const auto partner = search_.nearest(owner); partner.place >= 0) {
+      queue_.push(candidate(owner, partner, false));
+    }
+  }
+  void pushBest(Index owner) {
     if (const auto partner = search_.best(owner); partner.place >= 0) {
-      queue_.push(candidate(owner, partner));
+      queue_.push(candidate(owner, partner, true));
     }
   }
 

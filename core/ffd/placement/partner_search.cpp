@@ -10,10 +10,36 @@ namespace {
 
 constexpr Index leafSize = 8;
 
+bool isBetter(double cost, Index place, const PartnerSearch::Partner& than) {
+  return cost < than.cost || (cost == than.cost && place < than.place);
+}
+
+/// Of a box, in the order in which squaredNorm() adds, so that no box is farther than a point on its border.
+double squaredDistance(const Vec3& low, const Vec3& high, const Vec3& from) {
+  const auto out = [&](int axis) { return std::max({low[axis] - from[axis], from[axis] - high[axis], 0.0}); };
+  const Vec3 way(out(0), out(1), out(2));
+  return way.squaredNorm();
+}
+
 }  // namespace
 
+/// Looks for the nearest.
+struct PartnerSearch::NearestQuery {
+  Index place;
+  Vec3 from;
+  Partner found;
+
+  /// Whether a partner at this squared distance, of this place or a higher one, would be taken.
+  bool mayFind(double squared, Index lowestPlace) const { return isBetter(squared, lowestPlace, found); }
+  void offer(double squared, Index other) {
+    if (other != place && mayFind(squared, other)) {
+      found = {other, squared};
+    }
+  }
+};
+
 /// Looks for the nearest few that come after a partner tried before and before a limit.
-struct PartnerSearch::Query {
+struct PartnerSearch::FewQuery {
   Index place;
   Vec3 from;
   std::size_t few;             ///< how many are looked for
@@ -21,16 +47,12 @@ struct PartnerSearch::Query {
   Partner limit;               ///< ... and nearer than this
   std::vector<Partner> found;  ///< by distance, then place; the cost is the squared distance alone
 
-  static bool isBetter(double cost, Index place, const Partner& than) {
-    return cost < than.cost || (cost == than.cost && place < than.place);
-  }
-  /// Whether a partner at this squared distance, of this place or a higher one, could still be found.
   bool mayFind(double squared, Index lowestPlace) const {
     return isBetter(squared, lowestPlace, limit) &&
            (found.size() < few || isBetter(squared, lowestPlace, found.back()));
   }
   void offer(double squared, Index other) {
-    if (!mayFind(squared, other) || !isBetter(after.cost, after.place, {other, squared})) {
+    if (other == place || !mayFind(squared, other) || !isBetter(after.cost, after.place, {other, squared})) {
       return;
     }
     if (found.size() == few) {
@@ -45,7 +67,8 @@ struct PartnerSearch::Query {
 PartnerSearch::PartnerSearch(const Points& points, const MergeRules& rules)
     : rules_(rules),
       points_(points),
-      leafOf_(static_cast<std::size_t>(points.rows()), 0),
+      slotOf_(static_cast<std::size_t>(points.rows()), 0),
+      leafOf_(slotOf_.size(), 0),
       rootOf_(leafOf_.size(), 0),
       versions_(leafOf_.size(), 0),
       known_(leafOf_.size()),
@@ -79,6 +102,11 @@ void PartnerSearch::build() {
       rootOf_[order_[i]] = root;
     }
     split(root);
+  }
+  inSlots_.resize(alive_, 3);
+  for (Index slot = 0; slot < alive_; ++slot) {
+    slotOf_[order_[slot]] = slot;
+    inSlots_.row(slot) = points_.row(order_[slot]);
   }
 }
 
@@ -128,27 +156,27 @@ void PartnerSearch::split(Index root) {
   }
 }
 
-double PartnerSearch::squaredDistance(const Node& node, const Vec3& from) const {
-  // In the order in which squaredNorm() adds, so that a box is never farther than a point on its border.
-  const Vec3 out = (node.low - from).cwiseMax(from - node.high).cwiseMax(0.0);
-  return out.squaredNorm();
+PartnerSearch::Partner PartnerSearch::nearest(Index place) const {
+  NearestQuery query{place, point(place), {}};
+  search(query);
+  return query.found;
 }
 
 PartnerSearch::Partner PartnerSearch::best(Index place) {
   constexpr std::size_t most = 128;
   constexpr double nowhere = -1.0;
-  Query query{place, point(place), 1, {-1, nowhere}, {}, {}};
+  FewQuery query{place, point(place), 1, {-1, nowhere}, {}, {}};
   // By distance, until the next one could not be the best whatever its factor; mostly the first one is.
   while (true) {
     query.found.clear();
     search(query);
     for (const Partner& partner : query.found) {
-      if (!Query::isBetter(partner.cost, partner.place, query.limit)) {
+      if (!isBetter(partner.cost, partner.place, query.limit)) {
         return query.limit;
       }
-      const double factor = rules_.factor ? factorOf(place, partner.place) : 1.0;
+      const double factor = factorOf(place, partner.place);
       const double cost = std::isfinite(factor) ? factor * partner.cost : factor;
-      if (std::isfinite(factor) && Query::isBetter(cost, partner.place, query.limit)) {
+      if (std::isfinite(factor) && isBetter(cost, partner.place, query.limit)) {
         query.limit = {partner.place, cost};
       }
     }
@@ -161,19 +189,26 @@ PartnerSearch::Partner PartnerSearch::best(Index place) {
 }
 
 double PartnerSearch::factorOf(Index place, Index other) {
-  for (const Known& known : known_[place]) {
-    if (known.other == other && known.version == versions_[other]) {
+  if (!rules_.factor) {
+    return 1.0;
+  }
+  // The same from either end.
+  const Index low = std::min(place, other);
+  const Index high = std::max(place, other);
+  for (const Known& known : known_[low]) {
+    if (known.other == high && known.version == versions_[high]) {
       return known.factor;
     }
   }
-  const double factor = rules_.factor(point(place), point(other));
+  const double factor = rules_.factor(point(low), point(high));
   // What is not put back is found at once the next time; only the rest is worth keeping.
   if (factor != 1.0) {
-    known_[place].push_back({other, versions_[other], factor});
+    known_[low].push_back({high, versions_[high], factor});
   }
   return factor;
 }
 
+template <class Query>
 void PartnerSearch::search(Query& query) const {
   std::array<std::pair<Index, double>, 128> open;
   std::size_t size = 0;
@@ -185,30 +220,26 @@ void PartnerSearch::search(Query& query) const {
       continue;
     }
     if (node.left < 0) {
-      visitLeaf(node, query);
+      for (Index slot = node.begin; slot < node.end; ++slot) {
+        query.offer((inSlots_.row(slot).transpose() - query.from).squaredNorm(), order_[slot]);
+      }
       continue;
     }
-    const double left = squaredDistance(nodes_[node.left], query.from);
-    const double right = squaredDistance(nodes_[node.left + 1], query.from);
+    const Node& leftNode = nodes_[node.left];
+    const Node& rightNode = nodes_[node.left + 1];
+    const double left = squaredDistance(leftNode.low, leftNode.high, query.from);
+    const double right = squaredDistance(rightNode.low, rightNode.high, query.from);
     const bool leftFirst = left <= right;
     open[size++] = leftFirst ? std::pair(node.left + 1, right) : std::pair(node.left, left);
     open[size++] = leftFirst ? std::pair(node.left, left) : std::pair(node.left + 1, right);
   }
 }
 
-void PartnerSearch::visitLeaf(const Node& leaf, Query& query) const {
-  for (Index i = leaf.begin; i < leaf.end; ++i) {
-    const Index other = order_[i];
-    if (other == query.place || !isAlive(other)) {
-      continue;
-    }
-    query.offer((point(other) - query.from).squaredNorm(), other);
-  }
-}
-
 void PartnerSearch::merge(Index kept, Index gone) {
   const Vec3 middle = 0.5 * (point(kept) + point(gone));
   points_.row(kept) = middle;
+  inSlots_.row(slotOf_[kept]) = middle;
+  inSlots_.row(slotOf_[gone]).setConstant(std::numeric_limits<double>::infinity());
   ++versions_[kept];
   known_[kept].clear();
   for (Index n = leafOf_[kept]; n >= 0; n = nodes_[n].parent) {

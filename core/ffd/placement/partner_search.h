@@ -19,8 +19,15 @@ class PartnerSearch {
     Index place = -1;  ///< -1: none
     double cost = std::numeric_limits<double>::infinity();
   };
-  /// The partner of least cost, the lowest place on a tie. May run at the same time for different places.
+  /// The nearest partner, the lowest place on a tie, whatever the rules put back: none has a lower cost. May
+  /// run at the same time for different places.
+  Partner nearest(Index place) const;
+
+  /// The partner of least cost, the lowest place on a tie.
   Partner best(Index place);
+
+  /// By how much the rules put this pair back.
+  double factorOf(Index place, Index other);
 
   /// The mid-point takes the place `kept`; `gone` is no more.
   void merge(Index kept, Index gone);
@@ -35,14 +42,15 @@ class PartnerSearch {
   struct Node {
     Vec3 low;
     Vec3 high;
-    Index begin;  ///< of order_
+    Index begin;  ///< of the slots
     Index end;
     Index parent;
     Index left = -1;    ///< its children are left and left + 1; -1: a leaf
     Index lowestPlace;  ///< no point of it has a lower one
     Index alive;        ///< points that are not gone
   };
-  struct Query;
+  struct NearestQuery;
+  struct FewQuery;
   struct Known {
     Index other;
     std::uint32_t version;  ///< of the other
@@ -52,14 +60,15 @@ class PartnerSearch {
   void build();
   Index addNode(Index begin, Index end, Index parent);
   void split(Index node);
+  /// Visits the points that the query may still take, near ones first.
+  template <class Query>
   void search(Query& query) const;
-  double factorOf(Index place, Index other);
-  void visitLeaf(const Node& leaf, Query& query) const;
-  double squaredDistance(const Node& node, const Vec3& from) const;
 
   const MergeRules& rules_;
-  Points points_;
-  std::vector<Index> order_;
+  Points points_;              ///< one a place
+  std::vector<Index> order_;   ///< the place of each slot; those of a node are next to each other
+  std::vector<Index> slotOf_;  ///< one a place
+  Points inSlots_;             ///< the points once more, one a slot; infinity where one is gone
   std::vector<Index> leafOf_;  ///< one a place; -1: gone
   std::vector<Index> rootOf_;  ///< one a place: the tree of its group
   std::vector<Node> nodes_;

@@ -1,16 +1,6 @@
 #include "core/ffd/placement/exterior_points.h"
 
-#include "core/base/parallel.h"
-
-#include <cstdint>
-
 namespace pbffd {
-namespace {
-
-/// The way out starts at this share of the offset, clear of the faces around the sample.
-constexpr double startOfWay = 1e-3;
-
-}  // namespace
 
 ExteriorPools exteriorPools(const SurfaceParts& parts, const SurfaceSamples& samples, double offset,
                             const Progress& progress) {
@@ -19,19 +9,12 @@ ExteriorPools exteriorPools(const SurfaceParts& parts, const SurfaceSamples& sam
     const auto row = static_cast<Index>(i);
     return (samples.positions.row(row) + sign * offset * samples.normals.row(row)).transpose();
   };
-  const bool isSimple = parts.count() == 1;
-  std::vector<std::uint8_t> insideAhead(count);
-  std::vector<std::uint8_t> insideBehind(count);
-  parallelFor(count, 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
-      // Mostly nothing lies on the way out, which is found faster than a winding number.
-      const bool isClear =
-          isSimple && parts.isClosed(0) && !parts.isBetween(moved(i, startOfWay), moved(i, 1.0));
-      insideAhead[i] = !isClear && parts.isInside(moved(i, 1.0));
-      insideBehind[i] = !parts.isClosed(samples.parts[i]) && parts.isInside(moved(i, -1.0));
-    }
-  });
-  progress.throwIfCancelled();
+  const std::vector<bool> insideAhead =
+      parts.likelyInsideFlags(samples.positions + offset * samples.normals, progress);
+  // Behind a closed part's samples is its inside, which is not asked.
+  const std::vector<bool> insideBehind =
+      parts.countOf(false) > 0 ? parts.likelyInsideFlags(samples.positions - offset * samples.normals, progress)
+                               : std::vector<bool>(count, true);
 
   ExteriorPools pools;
   std::vector<bool> hasPoints(static_cast<std::size_t>(parts.count()), false);

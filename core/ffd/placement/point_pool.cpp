@@ -24,25 +24,30 @@ constexpr Index leastFactor = 3;
 /// So few places need no octree: their closest pairs merge exactly from the start.
 constexpr Index exactPool = 3000;
 
+/// For so few more than are to be left the octree is not worth its while.
+constexpr double worthDecimating = 1.25;
+
 Index coarseTarget(Index places, Index target) {
-  return places <= exactPool
-             ? places
-             : std::max(leastFactor * target, std::clamp(poolFactor * target, leastPool, greatestPool));
+  const Index wanted = std::max(leastFactor * target, std::clamp(poolFactor * target, leastPool, greatestPool));
+  return places <= exactPool || places <= worthDecimating * wanted ? places : wanted;
 }
 
-MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts) {
+/// Which mid-points are asked for their side: those of pairs with a wall between, or each of them.
+enum class Asked { acrossWalls, each };
+
+MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts, Asked asked) {
   MergeRules rules;
   if (static_cast<Index>(std::set<Index>(pool.parts.begin(), pool.parts.end()).size()) <= target) {
     rules.groups = pool.parts;
   } else {
     rules.groups.assign(pool.parts.size(), 0);
   }
-  rules.factor = [side, &parts](const Vec3& a, const Vec3& b) {
-    if (!parts.isBetween(a, b)) {
-      return 1.0;
+  rules.factor = [side, asked, &parts](const Vec3& a, const Vec3& b) {
+    const bool isAcross = parts.isBetween(a, b);
+    if ((isAcross || asked == Asked::each) && parts.isInside(0.5 * (a + b)) != (side == Side::inside)) {
+      return std::numeric_limits<double>::infinity();
     }
-    return parts.isInside(0.5 * (a + b)) != (side == Side::inside) ? std::numeric_limits<double>::infinity()
-                                                                   : wallFactor;
+    return isAcross ? wallFactor : 1.0;
   };
   return rules;
 }
@@ -62,10 +67,8 @@ PointPool thinned(const PointPool& pool, Index target) {
 }
 
 /// Exact merging, with an eye on walls and sides.
-PointPool merged(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
-                 const Progress& progress) {
-  const MergedPoints left =
-      mergeClosestPairs(pool.points, target, rulesFor(pool, target, side, parts), progress);
+PointPool merged(const PointPool& pool, Index target, const MergeRules& rules, const Progress& progress) {
+  const MergedPoints left = mergeClosestPairs(pool.points, target, rules, progress);
   PointPool result{left.points, {}};
   for (const Index place : left.places) {
     result.parts.push_back(pool.parts[place]);
@@ -143,16 +146,18 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
   if (target <= 0) {
     return {};
   }
-  const MergeRules rules = rulesFor(pool, target, side, parts);
-  const Decimated coarse =
-      decimateInOctree(pool.points, coarseTarget(pool.size(), target), {rules.groups, nullptr}, progress);
+  const auto rules = [&](const PointPool& of, Asked asked) { return rulesFor(of, target, side, parts, asked); };
+  const Decimated coarse = decimateInOctree(pool.points, coarseTarget(pool.size(), target),
+                                            {rules(pool, Asked::acrossWalls).groups, nullptr}, progress);
   PointPool left{coarse.points, coarse.groups};
   if (left.size() < pool.size()) {
     left = withoutOffSide(left, side, parts, false, progress);
   }
-  PointPool result = merged(left, target, side, parts, progress);
+  PointPool result = merged(left, target, rules(left, Asked::acrossWalls), progress);
   if (hasOffSide(result, side, parts, progress)) {
-    result = merged(withoutOffSide(left, side, parts, true, progress), target, side, parts, progress);
+    // One was there from the start, or a mid-point came through a hole.
+    left = withoutOffSide(left, side, parts, true, progress);
+    result = merged(left, target, rules(left, Asked::each), progress);
   }
   return result;
 }

@@ -42,6 +42,22 @@ class ExteriorPointsTest : public QObject {
     }
   }
 
+  void thoseThatStartInsideAreRejectedToo() {
+    // One mesh that runs through itself: between start and end is no wall, and yet both are inside.
+    Mesh shape = test::merged(test::sphere(), test::placedAt(test::sphere(), 0.3, Vec3(0.1, 0, 0)));
+    const Index joint[3] = {0, shape.vertexCount() / 2, 1};
+    const Index back[3] = {1, shape.vertexCount() / 2, 0};
+    shape.faces.add(joint);
+    shape.faces.add(back);
+    const SurfaceParts parts(std::make_shared<const RestMesh>(shape), Surface::closed);
+    QCOMPARE(parts.count(), 1);
+    const ExteriorPools pools = exteriorPools(parts, everyVertex(parts), 0.1, {});
+    QVERIFY(pools.outside.size() > 0);
+    for (Index i = 0; i < pools.outside.size(); ++i) {
+      QVERIFY(!parts.isInside(pools.outside.points.row(i)));
+    }
+  }
+
   void openPartsGetBothSides() {
     const SurfaceParts parts = partsOf(test::sheet(6));
     const ExteriorPools pools = exteriorPools(parts, everyVertex(parts), 0.1, {});

@@ -16,6 +16,23 @@ SurfaceParts partsOf(Mesh mesh) {
   return {std::make_shared<const RestMesh>(std::move(mesh)), Surface::automatic};
 }
 
+/// A ball whose upper part is missing above a rim that goes up and down, taken as closed.
+SurfaceParts openPot() {
+  const Mesh ball = test::sphere(40, 80);
+  Mesh pot;
+  pot.positions = ball.positions;
+  for (Index f = 0; f < ball.faces.size(); ++f) {
+    Vec3 middle = Vec3::Zero();
+    for (const Index vertex : ball.faces[f]) {
+      middle += ball.positions.row(vertex).transpose() / static_cast<double>(ball.faces[f].size());
+    }
+    if (middle.z() < 0.6 * (middle.x() * middle.x() - middle.y() * middle.y())) {
+      pot.faces.add(ball.faces[f]);
+    }
+  }
+  return {std::make_shared<const RestMesh>(std::move(pot)), Surface::closed};
+}
+
 PointPool scattered(const SurfaceParts& parts, Index count, bool inside) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> share(-0.2, 1.2);
@@ -52,6 +69,25 @@ class PointPoolTest : public QObject {
         }
       }
     }
+  }
+
+  void midPointsStayThereBesideAHole() {
+    // Just above the mouth on either side, where it is low: no wall is between, and the mid-point is inside.
+    const SurfaceParts parts = openPot();
+    Vec3 at(0.0, 0.5, -0.5);
+    while (parts.isInside(at)) {
+      at.z() += 0.01;
+    }
+    const Vec3 opposite(0.0, -0.5, at.z());
+    QVERIFY(!parts.isInside(opposite) && parts.isInside(0.5 * (at + opposite)) &&
+            !parts.isBetween(at, opposite));
+    PointPool pool;
+    pool.append(at, 0);
+    pool.append(opposite, 0);
+    pool.shrink();
+    const PointPool one = decimatedPool(pool, 1, Side::outside, parts, {});
+    QCOMPARE(one.size(), 1);
+    QVERIFY(!parts.isInside(one.points.row(0)));
   }
 
   void strayPointsAreTakenOutFirst() {

@@ -1,10 +1,14 @@
 #include "core/ffd/placement/coverage.h"
 
+#include "core/base/lazy.h"
 #include "core/base/parallel.h"
 #include "core/ffd/weights/reach.h"
+#include "core/mesh/face_vertices.h"
+#include "core/mesh/nearest.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pbffd {
 namespace {
@@ -27,7 +31,14 @@ class Cover {
         mesh_(mesh),
         blocks_(mesh.positions(), mesh.mortonOrder()),
         walks_(mesh),
-        isReached_(static_cast<std::size_t>(blocks_.blockCount()), 0) {}
+        hasFace_(static_cast<std::size_t>(blocks_.blockCount()), 0),
+        isReached_(hasFace_) {
+    const std::vector<bool> hasFace = hasFaceFlags(mesh.mesh());
+    for (std::size_t slot = 0; slot < hasFace.size(); ++slot) {
+      const bool isSet = hasFace[mesh.mortonOrder()[slot]];
+      hasFace_[slot / PointBlocks::blockSize] |= static_cast<unsigned>(isSet) << slot % PointBlocks::blockSize;
+    }
+  }
 
   void coverAll(const Progress& progress) {
     growToTouch(progress);
@@ -37,21 +48,15 @@ class Cover {
     for (const Membership& members : reachedByEach(progress)) {
       mark(members);
     }
-    std::vector<bool> hasFace(static_cast<std::size_t>(mesh_.vertexCount()), false);
-    for (const Index vertex : mesh_.mesh().faces.vertices()) {
-      hasFace[vertex] = true;
-    }
-    const std::vector<Index>& order = mesh_.mortonOrder();
-    for (std::size_t slot = 0; slot < order.size(); ++slot) {
-      if (!isReached(slot) && hasFace[order[slot]]) {
+    for (Index slot = 0; slot < mesh_.vertexCount(); ++slot) {
+      if (!isSet(isReached_, slot) && isSet(hasFace_, slot)) {
         progress.throwIfCancelled();
-        takeIn(static_cast<Index>(slot));
-        result_.uncovered += !isReached(slot);
+        takeIn(slot);
       }
     }
   }
 
-  const Coverage& result() const { return result_; }
+  Index grown() const { return grown_; }
 
  private:
   /// The vertices that a point counts.
@@ -68,8 +73,31 @@ class Cover {
     return reached;
   }
 
-  bool isReached(std::size_t slot) const {
-    return (isReached_[slot / PointBlocks::blockSize] >> slot % PointBlocks::blockSize & 1) != 0;
+  /// One a block: bit k for its k-th vertex.
+  using SlotBits = std::vector<std::uint16_t>;
+
+  static bool isSet(const SlotBits& bits, Index slot) {
+    return (bits[slot / PointBlocks::blockSize] >> slot % PointBlocks::blockSize & 1) != 0;
+  }
+
+  bool touches(const Region& region) const {
+    const Membership inside = pointsInside(blocks_, region);
+    for (std::size_t e = 0; e < inside.blocks.size(); ++e) {
+      if ((inside.members[e] & hasFace_[inside.blocks[e]]) != 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The nearest vertex that has a face.
+  Vec3 nearestOnSurface(const Vec3& center) {
+    const auto& [positions, nearest] = surface_.get([&] {
+      Points surface = positionsOfFaces(mesh_.mesh());
+      NearestPoints tree(surface);
+      return std::pair(std::move(surface), std::move(tree));
+    });
+    return positions.row(nearest.nearest(center).index);
   }
 
   void growToTouch(const Progress& progress) {
@@ -77,18 +105,14 @@ class Cover {
     parallelFor(points_.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress.isCancelled(); ++i) {
         const Region region(points_[i].rest);
-        if (!pointsInside(blocks_, region).blocks.empty()) {
-          continue;
-        }
-        const Index vertex = mesh_.nearestVertex().nearest(points_[i].rest.center).index;
-        if (vertex >= 0) {
-          grow(i, std::sqrt(region.squaredDistance(mesh_.positions().row(vertex))) / takenInAt);
+        if (!touches(region)) {
+          grow(i, std::sqrt(region.squaredDistance(nearestOnSurface(points_[i].rest.center))) / takenInAt);
           hasGrown[i] = 1;
         }
       }
     });
     progress.throwIfCancelled();
-    result_.grown += static_cast<Index>(std::count(hasGrown.begin(), hasGrown.end(), 1));
+    grown_ += static_cast<Index>(std::count(hasGrown.begin(), hasGrown.end(), 1));
   }
 
   void grow(std::size_t point, double factor) {
@@ -117,12 +141,11 @@ class Cover {
         return;
       }
     }
-    // A region that holds the whole mesh reaches all of it.
+    // A region that holds the whole mesh reaches all of it, so this comes to an end.
     const std::size_t nearest = byDistance[0].second;
-    for (double factor = factorToTakeIn(nearest, vertex); factor < 1e6; factor *= growthOfLastResort) {
-      if (growIfItReaches(nearest, factor, slot)) {
-        return;
-      }
+    double factor = factorToTakeIn(nearest, vertex);
+    while (!growIfItReaches(nearest, factor, slot)) {
+      factor *= growthOfLastResort;
     }
   }
 
@@ -144,7 +167,7 @@ class Cover {
     }
     points_[point] = larger;
     mark(reached);
-    ++result_.grown;
+    ++grown_;
     return true;
   }
 
@@ -153,19 +176,21 @@ class Cover {
   std::vector<Region> regions_;  ///< before any vertex was taken in
   PointBlocks blocks_;
   ReachWalks walks_;
-  std::vector<std::uint16_t> isReached_;  ///< one a block: bit k for its k-th vertex
-  Coverage result_;
+  SlotBits hasFace_;
+  SlotBits isReached_;
+  Lazy<std::pair<Points, NearestPoints>> surface_;
+  Index grown_ = 0;
 };
 
 }  // namespace
 
-Coverage growCoverage(std::vector<ControlPoint>& points, const RestMesh& mesh, const Progress& progress) {
-  if (points.empty()) {
-    return {};
+Index growCoverage(std::vector<ControlPoint>& points, const RestMesh& mesh, const Progress& progress) {
+  if (points.empty() || mesh.mesh().faces.empty()) {
+    return 0;
   }
   Cover cover(points, mesh);
   cover.coverAll(progress);
-  return cover.result();
+  return cover.grown();
 }
 
 }  // namespace pbffd

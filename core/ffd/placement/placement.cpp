@@ -7,6 +7,7 @@
 #include "core/ffd/placement/placement_cache.h"
 #include "core/ffd/placement/region_shape.h"
 #include "core/ffd/placement/shares.h"
+#include "core/mesh/face_vertices.h"
 #include "core/mesh/spread.h"
 
 #include <Eigen/Geometry>
@@ -27,22 +28,6 @@ void requireFinite(const RestMesh& mesh) {
           "{}vertex {} has a coordinate that is not a finite number. Correct it in the mesh.", notPlaced, v));
     }
   }
-}
-
-/// The positions of the vertices that have a face.
-Points surfacePositions(const RestMesh& mesh) {
-  std::vector<bool> hasFace(static_cast<std::size_t>(mesh.vertexCount()), false);
-  for (const Index vertex : mesh.mesh().faces.vertices()) {
-    hasFace[vertex] = true;
-  }
-  Points surface(std::count(hasFace.begin(), hasFace.end(), true), 3);
-  Index row = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (hasFace[v]) {
-      surface.row(row++) = mesh.positions().row(v);
-    }
-  }
-  return surface;
 }
 
 /// Areas are squared on the way, and have to stay within double precision.
@@ -81,7 +66,7 @@ void requirePlaceable(const RestMesh& mesh) {
                notPlaced, mesh.vertexCount()));
   }
   requireFinite(mesh);
-  const Points surface = surfacePositions(mesh);
+  const Points surface = positionsOfFaces(mesh.mesh());
   requireUsableSize(surface);
   const Vec3 spread = spreadOf(surface);
   const char* const where = spread[2] == 0.0                        ? "in one point"

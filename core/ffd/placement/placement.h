@@ -68,7 +68,7 @@ PlacementResult placeControlPoints(const std::shared_ptr<const RestMesh>& mesh, 
                                    const std::shared_ptr<const PlacementCache>& cache = nullptr);
 
 /// The master of a set on this mesh: rest frame at the centre of the bounds, its semi-axes 1.2 times the
-/// bounding radius.
+/// bounding radius, both of the vertices that have a face (of all where there is none).
 Master makeMaster(const RestMesh& mesh, double value, MasterMode mode);
 
 }  // namespace pbffd

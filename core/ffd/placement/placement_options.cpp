@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/ffd/placement/placement.h"
+#include "core/mesh/face_vertices.h"
 
 #include <cmath>
 #include <string_view>
@@ -52,10 +53,11 @@ void requireValid(const PlacementOptions& options) {
 
 Master makeMaster(const RestMesh& mesh, double value, MasterMode mode) {
   constexpr double margin = 1.2;
-  const Vec3 center = mesh.bounds().center();
+  const Points surface = mesh.mesh().faces.empty() ? mesh.positions() : positionsOfFaces(mesh.mesh());
+  const Vec3 center = boundsOf(surface).center();
   double squared = 0.0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    squared = std::max(squared, (mesh.positions().row(v).transpose() - center).squaredNorm());
+  for (Eigen::Index v = 0; v < surface.rows(); ++v) {
+    squared = std::max(squared, (surface.row(v).transpose() - center).squaredNorm());
   }
   const double radius = squared > 0.0 ? margin * std::sqrt(squared) : 1.0;
   const Frame frame{center, radius * Mat3::Identity()};

@@ -173,10 +173,71 @@ Index partNear(const SurfaceParts& parts, const Vec3& point) {
   return 0;
 }
 
-/// One flag for each of `rows`, which are Voronoi vertices: by votes, and by the winding number.
-std::vector<bool> insideFlagsOf(const std::vector<Index>& rows, const SurfaceParts& parts,
-                                const SurfaceSamples& sites, const VoronoiVertices& vertices,
-                                const Progress& progress) {
+/// The Voronoi vertices inside that are no slivers'.
+PointPool volumePoints(const SurfaceParts& parts, const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                       const Progress& progress) {
+  const double least = sliverShareOfDiagonal * parts.diagonal();
+  std::vector<bool> isInside(static_cast<std::size_t>(vertices.size()), false);
+  const auto decide = [&](const auto& isAsked) {
+    std::vector<Index> rows;
+    for (Index v = 0; v < vertices.size(); ++v) {
+      if (isAsked(v)) {
+        rows.push_back(v);
+      }
+    }
+    const std::vector<bool> flags = insideFlags(rows, parts, sites, vertices, progress);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      isInside[rows[i]] = flags[i];
+    }
+  };
+  const auto partOf = [&](Index v) { return sites.parts[vertices.sites(v)[0]]; };
+  decide([&](Index v) { return vertices.radii[v] >= least; });
+  const std::vector<bool> isLarge = partsWithLargeBalls(parts, sites, vertices, isInside);
+  decide([&](Index v) { return vertices.radii[v] < least && !isLarge[partOf(v)]; });
+
+  std::vector<std::vector<Index>> insideOfPart(isLarge.size());
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[v] && !isLarge[partOf(v)]) {
+      insideOfPart[partOf(v)].push_back(v);
+    }
+  }
+  std::vector<double> limits;
+  for (std::size_t part = 0; part < isLarge.size(); ++part) {
+    limits.push_back(isLarge[part] ? least : sliverRadius(parts, vertices, insideOfPart[part]));
+  }
+  PointPool kept;
+  for (Index v = 0; v < vertices.size(); ++v) {
+    if (isInside[v] && vertices.radii[v] >= limits[partOf(v)]) {
+      kept.append(vertices.positions.row(v), partOf(v));
+    }
+  }
+  kept.dropDoubles();
+  return kept;
+}
+
+PointPool thoseInside(const PointPool& pool, const SurfaceParts& parts, const Progress& progress) {
+  const std::vector<bool> isInside = parts.likelyInsideFlags(pool.points, progress);
+  PointPool kept;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (isInside[i]) {
+      kept.append(pool.points.row(i), pool.parts[i]);
+    }
+  }
+  kept.shrink();
+  return kept;
+}
+
+/// The usual distance of `target` points that share a volume; a little less than dart throwing gives.
+double spacingIn(double volume, Index target) {
+  constexpr double packing = 0.7;
+  return packing * std::cbrt(volume / target);
+}
+
+}  // namespace
+
+std::vector<bool> insideFlags(const std::vector<Index>& rows, const SurfaceParts& parts,
+                              const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                              const Progress& progress) {
   std::vector<Vote> votes(rows.size(), Vote::open);
   if (parts.countOf(true) == 1) {
     parallelFor(rows.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -220,75 +281,6 @@ std::vector<bool> insideFlagsOf(const std::vector<Index>& rows, const SurfacePar
   return isInside;
 }
 
-/// The Voronoi vertices inside that are no slivers'.
-PointPool volumePoints(const SurfaceParts& parts, const SurfaceSamples& sites, const VoronoiVertices& vertices,
-                       const Progress& progress) {
-  const double least = sliverShareOfDiagonal * parts.diagonal();
-  std::vector<bool> isInside(static_cast<std::size_t>(vertices.size()), false);
-  const auto decide = [&](const auto& isAsked) {
-    std::vector<Index> rows;
-    for (Index v = 0; v < vertices.size(); ++v) {
-      if (isAsked(v)) {
-        rows.push_back(v);
-      }
-    }
-    const std::vector<bool> flags = insideFlagsOf(rows, parts, sites, vertices, progress);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      isInside[rows[i]] = flags[i];
-    }
-  };
-  const auto partOf = [&](Index v) { return sites.parts[vertices.sites(v)[0]]; };
-  decide([&](Index v) { return vertices.radii[v] >= least; });
-  const std::vector<bool> isLarge = partsWithLargeBalls(parts, sites, vertices, isInside);
-  decide([&](Index v) { return vertices.radii[v] < least && !isLarge[partOf(v)]; });
-
-  std::vector<std::vector<Index>> insideOfPart(isLarge.size());
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (isInside[v] && !isLarge[partOf(v)]) {
-      insideOfPart[partOf(v)].push_back(v);
-    }
-  }
-  std::vector<double> limits;
-  for (std::size_t part = 0; part < isLarge.size(); ++part) {
-    limits.push_back(isLarge[part] ? least : sliverRadius(parts, vertices, insideOfPart[part]));
-  }
-  PointPool kept;
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (isInside[v] && vertices.radii[v] >= limits[partOf(v)]) {
-      kept.append(vertices.positions.row(v), partOf(v));
-    }
-  }
-  kept.dropDoubles();
-  return kept;
-}
-
-PointPool surelyInside(const PointPool& pool, const SurfaceParts& parts, const Progress& progress) {
-  const std::vector<bool> isInside = parts.likelyInsideFlags(pool.points, progress);
-  PointPool kept;
-  for (Index i = 0; i < pool.size(); ++i) {
-    if (isInside[i]) {
-      kept.append(pool.points.row(i), pool.parts[i]);
-    }
-  }
-  kept.shrink();
-  return kept;
-}
-
-/// The usual distance of `target` points that share a volume; a little less than dart throwing gives.
-double spacingIn(double volume, Index target) {
-  constexpr double packing = 0.7;
-  return packing * std::cbrt(volume / target);
-}
-
-}  // namespace
-
-std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
-                              const VoronoiVertices& vertices, const Progress& progress) {
-  std::vector<Index> rows(static_cast<std::size_t>(vertices.size()));
-  std::iota(rows.begin(), rows.end(), 0);
-  return insideFlagsOf(rows, parts, sites, vertices, progress);
-}
-
 PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites,
                               const Progress& progress) {
   if (sites.size() < 4 || areCoplanar(sites.positions)) {
@@ -325,8 +317,8 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
   if (wellSpaced(pool).size() >= target) {
     return pool;
   }
-  // On plates and needles votes go wrong; here each point counts.
-  PointPool filled = surelyInside(pool, parts, progress);
+  // On plates and needles votes go wrong; here, where few points are, no vote counts.
+  PointPool filled = thoseInside(pool, parts, progress);
   SpacedPicks picks = wellSpaced(filled);
   // A few candidates for each that is wanted, the best spaced first.
   constexpr double candidatesPerPoint = 4.0;

@@ -11,11 +11,12 @@ namespace pbffd {
 /// farther in, are left out. Empty where the sites have no Voronoi vertices. Throws Cancelled.
 PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& sites, const Progress& progress);
 
-/// Whether each Voronoi vertex of sites on the closed parts is inside them: by the winding number, but mostly
-/// by the votes of the sites' normals where these can be trusted: at least 99.9 % agree with the winding
-/// number. Throws Cancelled.
-std::vector<bool> insideFlags(const SurfaceParts& parts, const SurfaceSamples& sites,
-                              const VoronoiVertices& vertices, const Progress& progress);
+/// Whether each of some Voronoi vertices of sites on the closed parts is inside them: by the winding number,
+/// but mostly by the votes of the sites' normals where these can be trusted: at least 99.9 % agree with the
+/// winding number. rows: of the vertices. Throws Cancelled.
+std::vector<bool> insideFlags(const std::vector<Index>& rows, const SurfaceParts& parts,
+                              const SurfaceSamples& sites, const VoronoiVertices& vertices,
+                              const Progress& progress);
 
 /// The pool, and where it has room for fewer than `target` points that stand well apart, points spread over
 /// the inside, so that it has: the medial axis of a sphere is its centre alone. At least `target` points come

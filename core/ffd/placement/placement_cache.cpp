@@ -37,21 +37,28 @@ Index sensibleSiteCount(int points) {
 constexpr Index fewVertices = 600;
 constexpr Index sitesOfFewVertices = 1500;
 
-struct Samples {
-  SurfaceSamples sites;     ///< for the Voronoi diagram
-  SurfaceSamples exterior;  ///< where exterior points start
-};
+/// The vertices that are sites.
+SurfaceSamples vertexSites(const SurfaceParts& parts, const PlacementCache::Ground& ground) {
+  return ground.sites == 0 ? everyVertex(parts) : spacedVertices(parts, ground.sites, ground.seed);
+}
 
-Samples samplesFor(const SurfaceParts& parts, const PlacementCache::Ground& ground) {
-  Samples samples;
-  samples.sites = ground.sites == 0 ? everyVertex(parts) : spacedVertices(parts, ground.sites, ground.seed);
-  samples.exterior =
-      samples.sites.size() < ground.places ? spacedVertices(parts, ground.places, ground.seed) : samples.sites;
-  samples.exterior = withFaceSamples(parts, samples.exterior, ground.places, ground.seed);
-  if (parts.mesh().vertexCount() < fewVertices) {
-    samples.sites = withFaceSamples(parts, samples.sites, sitesOfFewVertices, ground.seed);
+/// For the Voronoi diagram.
+SurfaceSamples sitesFrom(const SurfaceSamples& vertices, const SurfaceParts& parts,
+                         const PlacementCache::Ground& ground) {
+  return samplesOf(parts,
+                   parts.mesh().vertexCount() < fewVertices
+                       ? withFaceSamples(parts, vertices, sitesOfFewVertices, ground.seed)
+                       : vertices,
+                   true);
+}
+
+/// Where exterior points start.
+SurfaceSamples startsFrom(const SurfaceSamples& vertices, const SurfaceParts& parts,
+                          const PlacementCache::Ground& ground) {
+  if (vertices.size() >= ground.places) {
+    return vertices;
   }
-  return samples;
+  return withFaceSamples(parts, spacedVertices(parts, ground.places, ground.seed), ground.places, ground.seed);
 }
 
 PlacementCache::Outside chooseOutside(const PointPool& pool, const PlacementOptions& options,
@@ -105,12 +112,12 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   progress.throwIfCancelled();
   const SurfaceParts& parts = *made->parts;
   progress.report("Placing points: sites");
-  const Samples samples = samplesFor(parts, made->ground);
+  const SurfaceSamples vertices = vertexSites(parts, made->ground);
   const auto makeExterior = [&] {
     Exterior exterior;
     const auto make = [&] {
-      exterior.pools = std::make_shared<const ExteriorPools>(
-          exteriorPools(parts, samples.exterior, options.offset * parts.diagonal(), progress));
+      exterior.pools = std::make_shared<const ExteriorPools>(exteriorPools(
+          parts, startsFrom(vertices, parts, made->ground), options.offset * parts.diagonal(), progress));
       if (!sameGround) {
         exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
         warmUp(*mesh, options.reach);
@@ -129,7 +136,7 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
       std::async(sameGround ? std::launch::deferred : std::launch::async, makeExterior);
   made->interior = sameGround ? before->interior
                               : std::make_shared<const PointPool>(voronoiPointsInside(
-                                    parts, samplesOf(parts, samples.sites, true), progress));
+                                    parts, sitesFrom(vertices, parts, made->ground), progress));
   const Exterior around = exterior.get();
   made->exterior = around.pools;
   made->outside = around.outside;

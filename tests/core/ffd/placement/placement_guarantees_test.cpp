@@ -1,0 +1,104 @@
+#include "core/ffd/placement/placement.h"
+#include "core/ffd/placement/surface_parts.h"
+#include "tests/core/ffd/placement/placed.h"
+#include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
+
+#include <QtTest>
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace pbffd {
+namespace {
+
+using test::Gaps;
+using test::gapsOf;
+using test::place;
+using test::rest;
+using test::stretched;
+using test::withPoints;
+
+/// All that the issue of placement promises for any closed mesh.
+void requireGuarantees(const Mesh& mesh, const PlacementOptions& options) {
+  const auto shared = rest(mesh);
+  const PlacementResult result = placeControlPoints(shared, options);
+  QCOMPARE(result.finest.size(), Index(options.points));
+  QVERIFY(result.asClosed);
+  const SurfaceParts parts(shared, Surface::automatic);
+  PointId id = 1;
+  for (const ControlPoint& point : result.finest) {
+    QCOMPARE(point.id, id++);
+    QCOMPARE(point.reach, options.reach);
+    QVERIFY(point.rest == point.pose);
+    QVERIFY(point.kind == PointKind::interior || point.kind == PointKind::exterior);
+    QCOMPARE(parts.isInside(point.rest.center), point.kind == PointKind::interior);
+    const Mat3 products = point.rest.axes.transpose() * point.rest.axes;
+    for (int i = 0; i < 3; ++i) {
+      QVERIFY(products(i, i) > 0.0);
+      QVERIFY(std::abs(products(i, (i + 1) % 3)) <=
+              1e-9 * std::sqrt(products(i, i) * products((i + 1) % 3, (i + 1) % 3)));
+    }
+  }
+  const Gaps gaps = gapsOf(*shared, result.finest);
+  QCOMPARE(gaps.uncovered, 0);
+  QVERIFY(50 * gaps.idle <= options.points);
+}
+
+}  // namespace
+
+class PlacementGuaranteesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void closedShapesKeepAllPromises() {
+    for (const int points : {100, 200, 1000}) {
+      requireGuarantees(test::cube(), withPoints(points));
+      requireGuarantees(test::sphere(), withPoints(points));
+      requireGuarantees(test::cylinder(), withPoints(points));
+      requireGuarantees(test::fork(), withPoints(points));
+    }
+  }
+
+  void ellipsoidsAndPaperOptionsKeepThemToo() {
+    PlacementOptions options = withPoints(200);
+    options.regions = RegionShape::ellipsoid;
+    requireGuarantees(test::fork(), options);
+    requireGuarantees(test::cube(), options);
+    PlacementOptions paper = paperOptions();
+    requireGuarantees(test::fork(), paper);
+    paper.reach = Reach::connected;
+    requireGuarantees(test::fork(), paper);
+  }
+
+  void farAndTinyMeshesKeepThePromises() {
+    requireGuarantees(test::placedAt(test::fork(), 1.0, Vec3::Constant(1e8)), withPoints(100));
+    requireGuarantees(test::placedAt(test::fork(), 1e-12, Vec3::Zero()), withPoints(100));
+    requireGuarantees(test::placedAt(test::fork(), 1e12, Vec3::Zero()), withPoints(100));
+  }
+
+  void squashedSolidsGetAsManyAsAskedFor() {
+    for (const Vec3& factors : {Vec3(1, 1, 1e-3), Vec3(1, 1e3, 1e-3), Vec3(1, 1e6, 1)}) {
+      requireGuarantees(stretched(test::sphere(), factors), withPoints(100));
+    }
+  }
+
+  void wildlyStretchedMeshesGetPointsInside() {
+    const Mesh fork = test::fork();
+    const SurfaceParts plain(rest(fork), Surface::automatic);
+    for (const Vec3& factors : {Vec3(1e6, 1, 1), Vec3(1, 1, 1e-6)}) {
+      requireGuarantees(stretched(fork, factors), withPoints(100));
+      // Sides are the same in the mesh as it was.
+      for (const ControlPoint& point : place(stretched(fork, factors), withPoints(100)).finest) {
+        const Vec3 at = point.rest.center.cwiseQuotient(factors);
+        QCOMPARE(plain.isInside(at), point.kind == PointKind::interior);
+      }
+    }
+  }
+};
+
+const test::Registration<PlacementGuaranteesTest> registration;
+
+}  // namespace pbffd
+
+#include "placement_guarantees_test.moc"

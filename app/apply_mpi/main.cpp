@@ -50,12 +50,10 @@ int perform(Arguments& arguments, const mpi::Ranks& ranks, InterruptWatch& watch
   };
   try {
     arguments.work.options.align = arguments.align == "similarity";
-    for (const std::string& text : arguments.transports) {
-      arguments.work.options.transports.push_back(parseTransport(text));
-    }
+    arguments.work.options.transports = parseTransports(arguments.transports);
     const ApplyReport report = mpi::applyShared(arguments.work, ranks, watch, progress);
     if (ranks.isFirst()) {
-      for (const std::string& remark : report.remarks) {
+      for (const std::string& remark : withOptions(report.remarks)) {
         std::fprintf(stderr, "pbffd-apply-mpi: %s\n", remark.c_str());
       }
       std::printf("Deformed %lld points in %zu pieces on %d process%s; wrote %s.\n",

@@ -33,11 +33,11 @@ int Ranks::count() const {
   return controller_->vtk->GetNumberOfProcesses();
 }
 
-std::string Ranks::fromFirst(std::string text) const {
+std::string Ranks::from(int rank, std::string text) const {
   auto size = static_cast<vtkIdType>(text.size());
-  controller_->vtk->Broadcast(&size, 1, 0);
+  controller_->vtk->Broadcast(&size, 1, rank);
   text.resize(static_cast<std::size_t>(size));
-  controller_->vtk->Broadcast(text.data(), size, 0);
+  controller_->vtk->Broadcast(text.data(), size, rank);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pbffd::mpi {
@@ -21,8 +22,9 @@ class Ranks {
   int count() const;
   bool isFirst() const { return rank() == 0; }
 
-  /// What rank 0 says, on every rank.
-  std::string fromFirst(std::string text) const;
+  /// What one rank says, on every rank.
+  std::string from(int rank, std::string text) const;
+  std::string fromFirst(std::string text) const { return from(0, std::move(text)); }
   std::vector<double> fromFirst(std::vector<double> numbers) const;
 
   bool any(bool mine) const;

@@ -9,6 +9,7 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -69,28 +70,37 @@ Input readInput(const SharedApply& work, const Progress& progress) {
                "pbffd apply.",
                work.source.string()));
   }
-  requireDistinct(work.options.transports);
   return {loadProject(work.project, progress).project, readPartition(work.source, work.target)};
 }
 
-/// The alignment is found on the first rank, from the points of all pieces, so that it does not depend on how
-/// many ranks there are.
-std::optional<Similarity> sharedAlignment(const SharedApply& work, const Input& input, const Ranks& ranks,
-                                          Together& together, const Progress& progress, ApplyReport& report) {
-  if (!work.options.align) {
-    return std::nullopt;
-  }
-  const Similarity mine = together([&] {
-    return ranks.isFirst()
-               ? alignedToRest(input.project, samplePoints(input.partition, progress), progress, report)
-               : Similarity();
-  });
-  std::vector<double> numbers{mine.scale};
-  numbers.insert(numbers.end(), mine.rotation.data(), mine.rotation.data() + 9);
-  numbers.insert(numbers.end(), mine.translation.data(), mine.translation.data() + 3);
+/// The first rank's, on every rank.
+Similarity shared(const Similarity& first, const Ranks& ranks) {
+  std::vector<double> numbers{first.scale};
+  numbers.insert(numbers.end(), first.rotation.data(), first.rotation.data() + 9);
+  numbers.insert(numbers.end(), first.translation.data(), first.translation.data() + 3);
   numbers = ranks.fromFirst(numbers);
   return Similarity{numbers[0], Eigen::Map<const Mat3>(numbers.data() + 1),
                     Eigen::Map<const Vec3>(numbers.data() + 10)};
+}
+
+/// What is to be said of the pieces, by the lowest rank that has one with points.
+std::vector<Remark> sharedRemarks(const ApplyReport& staged, const Ranks& ranks) {
+  constexpr char end = '\0';
+  const int speaker = ranks.lowest(staged.points > 0);
+  if (speaker < 0) {
+    return {};
+  }
+  std::string text;
+  for (const Remark& remark : staged.remarks) {
+    text += remark.text + end + remark.option + end;
+  }
+  std::istringstream lines(ranks.from(speaker, text));
+  std::vector<Remark> remarks;
+  std::string option;
+  while (std::getline(lines, text, end) && std::getline(lines, option, end)) {
+    remarks.emplace_back(text, option);
+  }
+  return remarks;
 }
 
 /// What a rank says that is ended because another one is gone, or by the user.
@@ -140,7 +150,17 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWa
   if (isVolume && ranks.isFirst()) {
     report.remarks.push_back(volumeCellsRemark(work.source));
   }
-  const auto toRest = sharedAlignment(work, input, ranks, together, progress, report);
+  std::optional<Similarity> toRest;
+  if (work.options.align) {
+    // By the first rank from the points of all pieces, so that it does not depend on how many ranks there are.
+    toRest = shared(together([&] {
+                      return ranks.isFirst()
+                                 ? alignedToRest(input.project, samplePoints(input.partition, progress),
+                                                 progress, report)
+                                 : Similarity();
+                    }),
+                    ranks);
+  }
   StagedFiles mine({folder, format("r{}-", ranks.rank())});
   const ApplyReport staged = together([&] {
     const PlacedSpace space = placedSpace(input.project, isVolume, toRest, progress);
@@ -149,7 +169,8 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWa
   report.points = ranks.sum(staged.points);
   report.hasMoved = ranks.any(staged.hasMoved);
   report.pieces = input.partition.pieces.size();
-  report.remarks.insert(report.remarks.end(), staged.remarks.begin(), staged.remarks.end());
+  const std::vector<Remark> remarks = sharedRemarks(staged, ranks);
+  report.remarks.insert(report.remarks.end(), remarks.begin(), remarks.end());
   remarkIfStill(input.project, work.source, report);
   together([&] {
     if (report.points == 0) {
@@ -157,7 +178,9 @@ ApplyReport applyShared(const SharedApply& work, const Ranks& ranks, InterruptWa
     }
     if (first) {
       first->write(work.target, indexText(input.partition));
+      first->prepare();
     }
+    mine.prepare();
     return true;
   });
   // From here on only names are given; the index, which the others belong to, comes last.

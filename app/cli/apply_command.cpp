@@ -32,12 +32,10 @@ void applyProject(const ApplyCommand& command, InterruptWatch& watch, const Prog
     });
   };
   options.align = command.align == "similarity";
-  for (const std::string& text : command.transports) {
-    options.transports.push_back(parseTransport(text));
-  }
+  options.transports = parseTransports(command.transports);
   const Project project = openProject(command.project, progress).project;
   const ApplyReport report = applyToFile(project, command.source, command.target, options, progress);
-  printRemarks(report.remarks);
+  printRemarks(withOptions(report.remarks));
   print(pbffd::format("Deformed {} points{}; wrote {}.\n", grouped(report.points),
                       report.pieces == 1 ? "" : pbffd::format(" in {} pieces", report.pieces),
                       command.target.string()));

@@ -35,7 +35,7 @@ ApplyReport applyToOne(const Project& project, const std::filesystem::path& sour
     toRest = alignedToRest(project, dataset->sample(strideFor(report.points)), progress, report);
   }
   const PlacedSpace space = placedSpace(project, isVolume, toRest, progress);
-  for (std::string& remark : dataset->write(target, staged, {space, options.transports, progress})) {
+  for (Remark& remark : dataset->write(target, staged, {space, options.transports, progress})) {
     report.remarks.push_back(std::move(remark));
   }
   report.hasMoved = space.hasMoved();
@@ -78,17 +78,22 @@ ApplyReport applyToPartition(const Project& project, const std::filesystem::path
 ApplyReport applyToFile(const Project& project, const std::filesystem::path& source,
                         const std::filesystem::path& target, const ApplyOptions& options,
                         const Progress& progress) {
-  requireDistinct(options.transports);
   return isPartition(source) ? applyToPartition(project, source, target, options, progress)
                              : applyToOne(project, source, target, options, progress);
 }
 
 std::string applicableEndings() {
-  return datasetEndings().replace(datasetEndings().find(" and .gltf"), 10, ", .gltf, .pvtu and .pvtp");
+  std::vector<std::string_view> endings = datasetEndings();
+  endings.insert(endings.end(), partitionEndings.begin(), partitionEndings.end());
+  return listed(endings);
 }
 
 bool isApplicable(const std::filesystem::path& path) {
   return isPartition(path) || isDataset(path);
+}
+
+bool isApplicableAs(const std::filesystem::path& source, const std::filesystem::path& target) {
+  return isWritableAs(source, target);
 }
 
 bool hasNamedArrays(const std::filesystem::path& path) {

@@ -59,29 +59,21 @@ void remarkIfStill(const Project& project, const std::filesystem::path& source, 
   if (report.hasMoved) {
     return;
   }
-  report.remarks.push_back(
-      LevelDisplacements(project.controls.master, project.controls.finest()).isAnyMoved()
-          ? format("No point of {} lies where the project moves anything, so none was moved. Does it lie "
-                   "elsewhere or in another size? Fitting it first (--align similarity) helps then.",
-                   source.string())
-          : format("The project is at rest, so nothing in {} was moved.", source.string()));
+  if (LevelDisplacements(project.controls.master, project.controls.finest()).isAnyMoved()) {
+    report.remarks.push_back(
+        {format("No point of {} lies where the project moves anything, so none was moved. Where it lies "
+                "elsewhere or in another size, fit its place, size and turn first.",
+                source.string()),
+         "--align similarity"});
+  } else {
+    report.remarks.push_back(format("The project is at rest, so nothing in {} was moved.", source.string()));
+  }
 }
 
 PlacedSpace placedSpace(const Project& project, bool hasVolumeCells, const std::optional<Similarity>& toRest,
                         const Progress& progress) {
   const ReachRule rule = hasVolumeCells ? ReachRule::all : ReachRule::asStored;
   return PlacedSpace(SpaceDeformation(project.mesh, project.controls, rule, progress), toRest);
-}
-
-void requireDistinct(const std::vector<Transport>& transports) {
-  for (auto at = transports.begin(); at != transports.end(); ++at) {
-    const auto again = std::find_if(std::next(at), transports.end(),
-                                    [&](const Transport& other) { return other.array == at->array; });
-    if (again != transports.end()) {
-      throw InvalidInput(
-          format("Could not transport the array '{}': it is named twice. Name each array once.", at->array));
-    }
-  }
 }
 
 void failForNoPoints(const std::filesystem::path& source) {
@@ -150,7 +142,7 @@ ApplyReport stagePieces(const Partition& partition, const PieceShare& share, Sta
       const auto dataset = openPiece(partition, p, carrying.progress);
       const bool isFirstWithPoints = report.points == 0 && dataset->pointCount() > 0;
       report.points += dataset->pointCount();
-      std::vector<std::string> remarks = dataset->write(partition.pieces[p].target, staged, carrying);
+      std::vector<Remark> remarks = dataset->write(partition.pieces[p].target, staged, carrying);
       // What is to be said of one piece is to be said of all.
       if (isFirstWithPoints) {
         report.remarks = std::move(remarks);

@@ -24,9 +24,6 @@ void remarkIfStill(const Project& project, const std::filesystem::path& source, 
 PlacedSpace placedSpace(const Project& project, bool hasVolumeCells, const std::optional<Similarity>& toRest,
                         const Progress& progress);
 
-/// Throws InvalidInput for transports that name an array twice.
-void requireDistinct(const std::vector<Transport>& transports);
-
 /// Throws InvalidInput that says that the file has no points.
 [[noreturn]] void failForNoPoints(const std::filesystem::path& source);
 

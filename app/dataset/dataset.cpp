@@ -16,6 +16,7 @@
 namespace pbffd {
 namespace {
 
+constexpr std::array<std::string_view, 4> meshEndings{".obj", ".off", ".ply", ".stl"};
 constexpr std::array<std::string_view, 4> vtkEndings{".vtu", ".vtp", ".vts", ".vtk"};
 constexpr std::array<std::string_view, 2> gltfEndings{".glb", ".gltf"};
 
@@ -41,8 +42,20 @@ bool isDataset(const std::filesystem::path& path) {
   return formatOfEnding(path) != MeshFormat::none || isVtkDataset(path) || isOneOf(endingOf(path), gltfEndings);
 }
 
-std::string datasetEndings() {
-  return ".obj, .off, .ply, .stl, .vtu, .vtp, .vts, .vtk, .glb and .gltf";
+std::vector<std::string_view> datasetEndings() {
+  std::vector<std::string_view> endings(meshEndings.begin(), meshEndings.end());
+  endings.insert(endings.end(), vtkEndings.begin(), vtkEndings.end());
+  endings.insert(endings.end(), gltfEndings.begin(), gltfEndings.end());
+  return endings;
+}
+
+std::string listed(const std::vector<std::string_view>& endings) {
+  std::string text;
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " and ");
+    text += endings[i];
+  }
+  return text;
 }
 
 std::unique_ptr<Dataset> openDataset(const std::filesystem::path& path, const Progress& progress) {
@@ -55,12 +68,17 @@ std::unique_ptr<Dataset> openDataset(const std::filesystem::path& path, const Pr
   }
   if (!isVtkDataset(path)) {
     throw InvalidInput(format("Could not read {}: its ending names no format with points. Known are {}.",
-                              path.string(), datasetEndings()));
+                              path.string(), listed(datasetEndings())));
   }
   if (auto raw = openRawXmlDataset(path, progress)) {
     return raw;
   }
   return openVtkDataset(path, progress);
+}
+
+bool isWritableAs(const std::filesystem::path& source, const std::filesystem::path& target) {
+  return formatOfEnding(source) != MeshFormat::none ? formatOfEnding(target) != MeshFormat::none
+                                                    : endingOf(source) == endingOf(target);
 }
 
 void requireSameEnding(const std::filesystem::path& source, const std::filesystem::path& target) {
@@ -70,9 +88,11 @@ void requireSameEnding(const std::filesystem::path& source, const std::filesyste
   }
 }
 
-std::string keptNormalsRemark(const std::filesystem::path& path, const std::string& normals) {
-  return format("The normals '{}' of {} were kept as they are; --transport {} turns them along.", normals,
-                path.string(), normals);
+Remark keptNormalsRemark(const std::filesystem::path& path, const std::string& normals) {
+  return {format("The normals '{}' of {} were kept as they are. Name them among the arrays to turn along, and "
+                 "they follow.",
+                 normals, path.string()),
+          "--transport " + normals};
 }
 
 void failForMissingArray(const std::filesystem::path& path, const Transport& transport,

@@ -45,14 +45,14 @@ class GltfDataset : public Dataset {
     return all(Eigen::seq(0, all.rows() - 1, stride), Eigen::all);
   }
 
-  std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
-                                 const Carrying& carrying) override {
+  std::vector<Remark> write(const std::filesystem::path& target, StagedFiles& staged,
+                            const Carrying& carrying) override {
     requireSameEnding(document_.path(), target);
     if (!carrying.transports.empty()) {
       failForMissingArray(
           document_.path(), carrying.transports.front(),
           "only VTK data sets have named arrays; the normals and tangents of a glTF model turn by "
-          "themselves. Leave --transport out.");
+          "themselves. Name none.");
     }
     if (carrying.space.movesAnything()) {
       for (const auto& [accessor, positions] : scene_.positions) {
@@ -63,20 +63,26 @@ class GltfDataset : public Dataset {
     for (const auto& [name, bytes] : files.buffers) {
       staged.write(target.parent_path() / name, *bytes);
     }
-    staged.write(target, unmovedBytes(carrying).value_or(files.bytes));
-    return remarks(target, carrying);
+    staged.write(target, unmovedBytes().value_or(files.bytes));
+    return remarks(target);
   }
 
  private:
   /// What nothing moved keeps its very bytes.
-  std::optional<std::string> unmovedBytes(const Carrying& carrying) const {
-    return carrying.space.movesAnything() ? std::nullopt : std::optional(readFile(document_.path()));
+  std::optional<std::string> unmovedBytes() const {
+    return hasMoved_ ? std::nullopt : std::optional(readFile(document_.path()));
   }
 
   void deform(std::size_t accessor, const GltfPositions& positions, const Carrying& carrying) {
     const Points local = document_.rows(accessor, 3);
     const Points rest = moved(local, positions.toScene);
     const SpaceImage image = carrying.space.image(rest, carrying.progress);
+    const bool turns = std::any_of(image.gradients.begin(), image.gradients.end(),
+                                   [](const Mat3& gradient) { return gradient != Mat3::Identity(); });
+    if (image.positions == rest && !turns) {
+      return;
+    }
+    hasMoved_ = true;
     const Mat3 toScene = positions.toScene.leftCols<3>();
     const Mat3 toLocal = toScene.inverse();
     Points result = local;
@@ -124,9 +130,9 @@ class GltfDataset : public Dataset {
     }
   }
 
-  std::vector<std::string> remarks(const std::filesystem::path& target, const Carrying& carrying) const {
-    std::vector<std::string> remarks;
-    if (scene_.hasMorphTargets && carrying.space.movesAnything()) {
+  std::vector<Remark> remarks(const std::filesystem::path& target) const {
+    std::vector<Remark> remarks;
+    if (scene_.hasMorphTargets && hasMoved_) {
       remarks.push_back(
           format("The morph targets of {} were kept: they add what they did to the deformed mesh.",
                  document_.path().string()));
@@ -145,6 +151,7 @@ class GltfDataset : public Dataset {
 
   GltfDocument document_;
   GltfScene scene_;
+  bool hasMoved_ = false;
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ class MeshDataset : public Dataset {
     return mesh_.positions(Eigen::seq(0, mesh_.positions.rows() - 1, stride), Eigen::all);
   }
 
-  std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
-                                 const Carrying& carrying) override {
+  std::vector<Remark> write(const std::filesystem::path& target, StagedFiles& staged,
+                            const Carrying& carrying) override {
     const MeshFormat format = formatOfEnding(target);
     if (format == MeshFormat::none) {
       throw InvalidInput(
@@ -31,11 +31,10 @@ class MeshDataset : public Dataset {
     if (!carrying.transports.empty()) {
       failForMissingArray(
           path_, carrying.transports.front(),
-          "only VTK data sets have named arrays; the normals of a mesh turn by themselves. Leave "
-          "--transport out.");
+          "only VTK data sets have named arrays; the normals of a mesh turn by themselves. Name none.");
     }
     staged.write(target, encodeMesh(mesh_, deformed(carrying), format, carrying.progress));
-    return mesh_.remarks;
+    return {mesh_.remarks.begin(), mesh_.remarks.end()};
   }
 
  private:

@@ -6,8 +6,14 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace pbffd {
 namespace fs = std::filesystem;
@@ -33,7 +39,40 @@ fs::path piecesFolder(const fs::path& index, const fs::path& target) {
   return index.filename() == target.filename() ? fs::path() : target.stem();
 }
 
+/// What tells files apart, whatever they are called; nothing where there is none.
+using FileId = std::pair<dev_t, ino_t>;
+std::optional<FileId> fileAt(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? std::optional(FileId(status.st_dev, status.st_ino))
+                                            : std::nullopt;
+}
+
+/// The pieces by the files that they are read from.
+std::multimap<FileId, std::size_t> piecesByFile(const Partition& partition) {
+  std::multimap<FileId, std::size_t> pieces;
+  for (std::size_t p = 0; p < partition.pieces.size(); ++p) {
+    if (const auto file = fileAt(partition.pieces[p].source)) {
+      pieces.emplace(*file, p);
+    }
+  }
+  return pieces;
+}
+
+/// Writing a piece must not take away what another one is read from.
+void requireNoSource(const Partition& partition, std::size_t piece,
+                     const std::multimap<FileId, std::size_t>& sources) {
+  const fs::path& target = partition.pieces[piece].target;
+  const auto there = fileAt(target);
+  const auto [begin, end] = there ? sources.equal_range(*there) : std::pair(sources.end(), sources.end());
+  const auto other = std::find_if(begin, end, [&](const auto& source) { return source.second != piece; });
+  if (other != end) {
+    throw InvalidInput(format("Could not write {}: it is {} of the source. Choose another folder.",
+                              target.string(), describePiece(partition, other->second)));
+  }
+}
+
 void requirePieces(const Partition& partition) {
+  const std::multimap<FileId, std::size_t> sources = piecesByFile(partition);
   std::set<fs::path> targets;
   for (std::size_t p = 0; p < partition.pieces.size(); ++p) {
     const Partition::Piece& piece = partition.pieces[p];
@@ -49,19 +88,14 @@ void requirePieces(const Partition& partition) {
                  "a name of its own.",
                  partition.index.string(), describePiece(partition, p), piece.target.string()));
     }
-    for (const Partition::Piece& other : partition.pieces) {
-      if (&other != &piece && fs::equivalent(piece.target, other.source, ignored)) {
-        throw InvalidInput(format("Could not write {}: it is {} of the source. Choose another folder.",
-                                  piece.target.string(), describePiece(partition, p)));
-      }
-    }
+    requireNoSource(partition, p, sources);
   }
 }
 
 }  // namespace
 
 bool isPartition(const fs::path& path) {
-  return endingOf(path) == ".pvtu" || endingOf(path) == ".pvtp";
+  return std::find(partitionEndings.begin(), partitionEndings.end(), endingOf(path)) != partitionEndings.end();
 }
 
 Partition readPartition(const fs::path& index, const fs::path& target) {

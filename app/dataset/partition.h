@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pbffd {
@@ -20,6 +22,8 @@ struct Partition {
   std::string text;
   std::vector<Piece> pieces;
 };
+
+constexpr std::array<std::string_view, 2> partitionEndings{".pvtu", ".pvtp"};
 
 /// Whether the ending is that of a partitioned data set.
 bool isPartition(const std::filesystem::path& path);

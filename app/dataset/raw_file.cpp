@@ -85,6 +85,13 @@ void RawFile::write(std::uint64_t at, std::string_view bytes) {
   }
 }
 
+void RawFile::copyWhole(const std::filesystem::path& source, const std::filesystem::path& path,
+                        const std::filesystem::path& name, const Progress& progress) {
+  RawFile out = forWriting(path, name);
+  out.copy(forReading(source), 0, std::filesystem::file_size(source), 0, progress);
+  out.close();
+}
+
 bool RawFile::copyInKernel(const RawFile& source, std::uint64_t from, std::uint64_t at, std::uint64_t bytes) {
   auto in = static_cast<off_t>(from);
   auto out = static_cast<off_t>(at);

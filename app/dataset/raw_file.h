@@ -27,6 +27,10 @@ class RawFile {
   /// Throws what some file systems say of a full disk only then. Nothing may follow.
   void close();
 
+  /// Makes `path`, called `name` in messages, a copy of `source`. Throws Cancelled.
+  static void copyWhole(const std::filesystem::path& source, const std::filesystem::path& path,
+                        const std::filesystem::path& name, const Progress& progress);
+
   /// Writes source's bytes [from, end) at `at`. Throws Cancelled.
   void copy(const RawFile& source, std::uint64_t from, std::uint64_t end, std::uint64_t at,
             const Progress& progress);

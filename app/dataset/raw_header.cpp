@@ -20,7 +20,7 @@ void LengthRange::add(const StoredLengths& lengths) {
 RawHeader::RawHeader(const std::string& text, const std::vector<const RawArray*>& arrays) {
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     for (const RawArray::Range& range : arrays[a]->ranges) {
-      rooms_.push_back({range, a, 0});
+      rooms_.push_back({range, a, 0, {}});
     }
   }
   std::sort(rooms_.begin(), rooms_.end(),
@@ -31,7 +31,8 @@ RawHeader::RawHeader(const std::string& text, const std::vector<const RawArray*>
     room.begin = text_.size();
     // The closing quote of an attribute follows its number, the spaces follow the quote.
     text_.append(width + (room.range.isAttribute ? 1 : 0), ' ');
-    at = room.range.end + (room.range.isAttribute ? 1 : 0);
+    room.quote = room.range.isAttribute ? text.substr(room.range.end, 1) : std::string();
+    at = room.range.end + room.quote.size();
   }
   text_.append(text, at);
 }
@@ -41,7 +42,7 @@ std::string RawHeader::filled(const std::vector<LengthRange>& lengths) const {
   for (const Room& room : rooms_) {
     const LengthRange& range = lengths[room.array];
     const double length = room.range.isLargest ? range.largest : std::min(range.least, range.largest);
-    const std::string number = format("{}", length) + (room.range.isAttribute ? "\"" : "");
+    const std::string number = format("{}", length) + room.quote;
     text.replace(room.begin, number.size(), number);
   }
   return text;

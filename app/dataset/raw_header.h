@@ -32,6 +32,7 @@ class RawHeader {
     RawArray::Range range;
     std::size_t array;
     std::size_t begin;
+    std::string quote;  ///< that ends an attribute; empty for the text of an element
   };
   std::string text_;
   std::vector<Room> rooms_;

@@ -1,7 +1,5 @@
 #include "app/dataset/raw_rows.h"
 
-#include "core/base/parallel.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,8 +9,6 @@
 
 namespace pbffd {
 namespace {
-
-constexpr std::size_t grain = 1 << 14;
 
 template <class Number>
 Number swapped(Number number) {
@@ -80,14 +76,6 @@ StoredLengths writeRows(RawFile& file, const RawArray& array, std::int64_t first
   const std::uint64_t at = array.begin + place.shift + array.rowBytes() * static_cast<std::uint64_t>(first);
   return array.isDouble ? writeAs<double>(file, at, rows, place.isSwapped)
                         : writeAs<float>(file, at, rows, place.isSwapped);
-}
-
-void transportRows(Points& rows, const std::vector<Mat3>& gradients, FieldKind kind) {
-  parallelFor(gradients.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<Eigen::Index>(begin); i < static_cast<Eigen::Index>(end); ++i) {
-      rows.row(i) = transported(gradients[static_cast<std::size_t>(i)], rows.row(i), kind);
-    }
-  });
 }
 
 }  // namespace pbffd

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/dataset/field_transport.h"
 #include "app/dataset/raw_file.h"
 #include "app/dataset/raw_xml_layout.h"
+#include "core/base/types.h"
 
 namespace pbffd {
 
@@ -23,8 +23,5 @@ struct RowPlace {
 };
 StoredLengths writeRows(RawFile& file, const RawArray& array, std::int64_t first, const Points& rows,
                         const RowPlace& place);
-
-/// Each row transported by the gradient beside it.
-void transportRows(Points& rows, const std::vector<Mat3>& gradients, FieldKind kind);
 
 }  // namespace pbffd

@@ -87,21 +87,18 @@ class RawXmlDataset : public Dataset {
     return points;
   }
 
-  std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
-                                 const Carrying& carrying) override {
+  std::vector<Remark> write(const std::filesystem::path& target, StagedFiles& staged,
+                            const Carrying& carrying) override {
     requireSameEnding(path_, target);
     if (turnsCellArrays(carrying.transports)) {
       return openVtkDataset(path_, carrying.progress)->write(target, staged, carrying);
     }
     const std::vector<MovingPiece> moving = movingPieces(carrying.transports);
-    RawFile out = RawFile::forWriting(staged.add(target), target);
-    if (!carrying.space.movesAnything()) {
-      out.copy(file_, 0, layout_.fileBytes, 0, carrying.progress);
-      out.close();
+    const std::filesystem::path path = staged.add(target);
+    if (!writeMoved(path, target, moving, carrying)) {
+      RawFile::copyWhole(path_, path, target, carrying.progress);
       return {};
     }
-    copyMoved(out, moving, carrying);
-    out.close();
     return remarks(carrying.transports);
   }
 
@@ -146,8 +143,22 @@ class RawXmlDataset : public Dataset {
     return moving;
   }
 
+  /// Returns whether anything may be other than before; else what was written is of no use.
+  bool writeMoved(const std::filesystem::path& path, const std::filesystem::path& target,
+                  const std::vector<MovingPiece>& moving, const Carrying& carrying) const {
+    if (!carrying.space.movesAnything()) {
+      return false;
+    }
+    RawFile out = RawFile::forWriting(path, target);
+    // What turns along may turn where no point moves.
+    const bool hasMoved = copyMoved(out, moving, carrying) || !carrying.transports.empty();
+    out.close();
+    return hasMoved;
+  }
+
   /// Copies and deforms at once: the one waits for the disk and the memory, the other for the processor.
-  void copyMoved(RawFile& out, const std::vector<MovingPiece>& pieces, const Carrying& carrying) const {
+  /// Returns whether any point is elsewhere now.
+  bool copyMoved(RawFile& out, const std::vector<MovingPiece>& pieces, const Carrying& carrying) const {
     std::vector<const RawArray*> arrays;
     for (const MovingPiece& piece : pieces) {
       for (const Moving& moving : piece.arrays) {
@@ -160,13 +171,14 @@ class RawXmlDataset : public Dataset {
     std::vector<LengthRange> lengths(arrays.size());
     std::mutex mutex;
     std::atomic<std::size_t> done{0};
+    std::atomic<bool> hasMoved{false};
     parallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
         carrying.progress.throwIfCancelled();
         if (parts[p].piece == nullptr) {
           out.copy(file_, parts[p].begin, parts[p].end, parts[p].begin + shift, carrying.progress);
         } else {
-          const std::vector<StoredLengths> stored = moveRows(out, parts[p], shift, carrying.space);
+          const std::vector<StoredLengths> stored = moveRows(out, parts[p], shift, {carrying.space, hasMoved});
           const std::lock_guard lock(mutex);
           for (std::size_t a = 0; a < stored.size(); ++a) {
             lengths[parts[p].piece->first + a].add(stored[a]);
@@ -176,6 +188,7 @@ class RawXmlDataset : public Dataset {
       }
     });
     out.write(0, header.filled(lengths));
+    return hasMoved;
   }
 
   /// All that lies behind the header: the rows that move, and the bytes between them.
@@ -203,9 +216,20 @@ class RawXmlDataset : public Dataset {
     }
   }
 
+  struct Moves {
+    const PlacedSpace& space;
+    std::atomic<bool>& any;  ///< set where a point moves
+
+    void note(const Points& rest, const Points& moved) const {
+      if (!any && rest != moved) {
+        any = true;
+      }
+    }
+  };
+
   /// Returns the lengths of the rows of each array.
   std::vector<StoredLengths> moveRows(RawFile& out, const Part& part, std::uint64_t shift,
-                                      const PlacedSpace& space) const {
+                                      const Moves& moves) const {
     const bool isSwapped = layout_.isSwapped;
     const std::vector<Moving>& moving = part.piece->arrays;
     const auto first = static_cast<std::int64_t>(part.begin);
@@ -216,10 +240,13 @@ class RawXmlDataset : public Dataset {
       lengths.push_back(writeRows(out, *array.array, first, values, {shift, isSwapped}));
     };
     if (moving.size() == 1) {
-      store(moving[0], space.positions(rest));
+      const Points moved = moves.space.positions(rest);
+      moves.note(rest, moved);
+      store(moving[0], moved);
       return lengths;
     }
-    const SpaceImage image = space.image(rest);
+    const SpaceImage image = moves.space.image(rest);
+    moves.note(rest, image.positions);
     store(moving[0], image.positions);
     for (const Moving& field : std::span(moving).subspan(1)) {
       Points values = readRows(file_, *field.array, first, count, isSwapped);
@@ -229,7 +256,7 @@ class RawXmlDataset : public Dataset {
     return lengths;
   }
 
-  std::vector<std::string> remarks(const std::vector<Transport>& transports) const {
+  std::vector<Remark> remarks(const std::vector<Transport>& transports) const {
     for (const RawPiece& piece : layout_.pieces) {
       const bool isTransported =
           std::any_of(transports.begin(), transports.end(),

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,14 +30,18 @@ class StagedFiles {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Where to write what will be `target`.
+  /// Where to write what will be `target`. Throws IoError that names it where it could not get its name later:
+  /// its folder cannot be written to, or lies on another file system than the others.
   std::filesystem::path add(const std::filesystem::path& target);
 
   /// Writes what will be `target`. Throws IoError that names that.
   void write(const std::filesystem::path& target, std::string_view bytes);
 
-  /// Gives the files their names, in the order in which they were added; makes the folders that they need.
-  /// Throws IoError that names the file.
+  /// Makes the folders that the files need, and waits until the disk has them all, so that no power cut leaves
+  /// less under a final name. Throws IoError that names the file; nothing has its final name then.
+  void prepare();
+
+  /// Prepares, unless that is done, and gives the files their names, in the order in which they were added.
   void commit();
 
  private:
@@ -44,10 +50,14 @@ class StagedFiles {
     std::filesystem::path target;
   };
 
+  void requireNameable(const File& file, const std::filesystem::path& name);
+
   std::filesystem::path folder_;
   std::string name_;
   bool ownsFolder_;
+  bool isPrepared_ = false;
   std::vector<File> files_;
+  std::set<std::filesystem::path> nameable_;  ///< folders that were tried
 };
 
 /// Removes a folder of staged files, while other processes may be removing from it too.

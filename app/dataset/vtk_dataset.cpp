@@ -1,5 +1,6 @@
 #include "app/dataset/vtk_dataset.h"
 
+#include "app/dataset/raw_file.h"
 #include "app/dataset/vtk_cell_kinds.h"
 #include "app/dataset/vtk_fields.h"
 #include "app/dataset/vtk_files.h"
@@ -55,22 +56,23 @@ class VtkDataset : public Dataset {
     return points;
   }
 
-  std::vector<std::string> write(const std::filesystem::path& target, StagedFiles& staged,
-                                 const Carrying& carrying) override {
+  std::vector<Remark> write(const std::filesystem::path& target, StagedFiles& staged,
+                            const Carrying& carrying) override {
     requireSameEnding(path_, target);
-    VtkFields fields;
     // A piece without points may lack the arrays that the others have.
-    if (pointCount() > 0) {
-      fields = fieldsOf(*file_.data, carrying.transports, path_);
-      deform(*file_.data, fields, carrying);
+    const VtkFields fields = pointCount() > 0 ? fieldsOf(*file_.data, carrying.transports, path_) : VtkFields();
+    const std::filesystem::path path = staged.add(target);
+    if (pointCount() == 0 || !deform(*file_.data, fields, carrying)) {
+      RawFile::copyWhole(path_, path, target, carrying.progress);
+      return {};
     }
-    writeVtkFile(file_, staged.add(target), target, carrying.progress);
+    writeVtkFile(file_, path, target, carrying.progress);
     return remarks(fields);
   }
 
  private:
-  std::vector<std::string> remarks(const VtkFields& fields) const {
-    std::vector<std::string> remarks;
+  std::vector<Remark> remarks(const VtkFields& fields) const {
+    std::vector<Remark> remarks;
     for (const std::string& warning : file_.warnings) {
       remarks.push_back(format("VTK says of {}: {}.", path_.string(), warning));
     }

@@ -67,9 +67,7 @@ void setRows(vtkDataArray& array, std::int64_t first, const Points& rows) {
 
 void transport(const VtkField& field, std::int64_t first, const std::vector<Mat3>& gradients) {
   Points rows = rowsOf(*field.array, first, static_cast<std::int64_t>(gradients.size()));
-  forEachRow(rows.rows(), [&](std::int64_t i) {
-    rows.row(i) = transported(gradients[static_cast<std::size_t>(i)], rows.row(i), field.kind);
-  });
+  transportRows(rows, gradients, field.kind);
   setRows(*field.array, first, rows);
 }
 
@@ -99,16 +97,21 @@ void transportCellFields(vtkPointSet& data, const VtkFields& fields, const Carry
   }
 }
 
-void movePoints(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying) {
+/// Returns whether any point is elsewhere now.
+bool movePoints(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying) {
+  bool hasMoved = false;
   vtkDataArray& array = *data.GetPoints()->GetData();
   const std::int64_t count = array.GetNumberOfTuples();
   for (std::int64_t first = 0; first < count; first += portion) {
     carrying.progress.report("Deforming", static_cast<double>(first) / static_cast<double>(count));
     const Points rest = rowsOf(array, first, std::min(portion, count - first));
     if (fields.ofPoints.empty()) {
-      setRows(array, first, carrying.space.positions(rest));
+      const Points moved = carrying.space.positions(rest);
+      hasMoved = hasMoved || moved != rest;
+      setRows(array, first, moved);
     } else {
       const SpaceImage image = carrying.space.image(rest);
+      hasMoved = hasMoved || image.positions != rest;
       setRows(array, first, image.positions);
       for (const VtkField& field : fields.ofPoints) {
         transport(field, first, image.gradients);
@@ -116,6 +119,7 @@ void movePoints(vtkPointSet& data, const VtkFields& fields, const Carrying& carr
     }
     carrying.progress.throwIfCancelled();
   }
+  return hasMoved;
 }
 
 /// Points that are whole numbers cannot follow a deformation: they become doubles.
@@ -159,13 +163,13 @@ VtkFields fieldsOf(vtkPointSet& data, const std::vector<Transport>& transports,
   return fields;
 }
 
-void deform(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying) {
+bool deform(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying) {
   if (!carrying.space.movesAnything()) {
-    return;
+    return false;
   }
   makePointsReal(data);
   transportCellFields(data, fields, carrying);
-  movePoints(data, fields, carrying);
+  const bool hasMoved = movePoints(data, fields, carrying);
   // Modified() also drops the ranges that VTK keeps with an array and would write to the file.
   data.GetPoints()->GetData()->Modified();
   data.GetPoints()->Modified();
@@ -174,6 +178,8 @@ void deform(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying
       field.array->Modified();
     }
   }
+  // What turns along may turn where no point moves.
+  return hasMoved || !fields.ofPoints.empty() || !fields.ofCells.empty();
 }
 
 Points rowsOf(vtkDataArray& array, std::int64_t first, std::int64_t count) {

@@ -27,8 +27,9 @@ struct VtkFields {
 VtkFields fieldsOf(vtkPointSet& data, const std::vector<Transport>& transports,
                    const std::filesystem::path& path);
 
-/// Moves the points, transports the fields, and lets go of what VTK computed before.
-void deform(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying);
+/// Moves the points, transports the fields, and lets go of what VTK computed before. Returns whether anything
+/// may be other than before.
+bool deform(vtkPointSet& data, const VtkFields& fields, const Carrying& carrying);
 
 /// Rows [first, first + count) of an array of three numbers a row.
 Points rowsOf(vtkDataArray& array, std::int64_t first, std::int64_t count);

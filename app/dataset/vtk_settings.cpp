@@ -30,24 +30,37 @@ std::vector<XmlTag> tagsThrough(const std::string& text, std::string_view last) 
   }
 }
 
+/// The tags through the first array of the first piece, which data of the file itself may stand before.
+std::vector<XmlTag> pieceBeginning(const std::string& text) {
+  std::vector<XmlTag> tags = tagsThrough(text, "Piece");
+  if (tags.empty() || tags.back().name != "Piece") {
+    return tags;
+  }
+  const std::vector<XmlTag> inPiece = tagsThrough(text.substr(tags.back().end), "DataArray");
+  tags.insert(tags.end(), inPiece.begin(), inPiece.end());
+  return tags;
+}
+
 }  // namespace
 
 XmlSettings xmlSettingsOf(const std::filesystem::path& path) {
+  // The few files whose header is longer are written as VTK does by default.
+  constexpr std::size_t longest = std::size_t{4} << 20;
   constexpr std::size_t start = 1 << 16;
-  const std::string text = bytesOf(path, 0, start);
   XmlSettings settings;
-  for (const XmlTag& tag : tagsThrough(text, "DataArray")) {
+  std::vector<XmlTag> tags = pieceBeginning(bytesOf(path, 0, start));
+  if (tags.empty() || tags.back().name != "DataArray") {
+    tags = pieceBeginning(bytesOf(path, 0, longest));
+  }
+  for (const XmlTag& tag : tags) {
     if (tag.name == "VTKFile" && !tag.isEnd) {
       settings.byteOrder = tag.value("byte_order");
       settings.headerType = tag.value("header_type");
       settings.compressor = tag.value("compressor");
-    } else if (tag.name == "DataArray") {
-      settings.format = tag.value("format");
     }
   }
-  // Raw data is no text, so the tag is looked for by its letters; the few files whose header is longer are
-  // written as VTK does by default.
-  constexpr std::size_t longest = std::size_t{4} << 20;
+  settings.format = tags.empty() ? std::string() : tags.back().value("format");
+  // Raw data is no text, so the tag is looked for by its letters.
   const std::string header = settings.format == "appended" ? bytesOf(path, 0, longest) : std::string();
   if (const std::size_t at = header.find("<AppendedData"); at != std::string::npos) {
     const std::size_t end = header.find('>', at);

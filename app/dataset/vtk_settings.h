@@ -14,7 +14,8 @@ struct XmlSettings {
   std::string encoding;    ///< of appended data: "raw", "base64"
 };
 
-/// The settings of a file's first array. What cannot be read is left empty: the reader will say what is wrong.
+/// The settings of the first array of a file's first piece. What cannot be read is left empty: the reader will
+/// say what is wrong.
 XmlSettings xmlSettingsOf(const std::filesystem::path& path);
 
 /// What a legacy file says of itself in its first lines.

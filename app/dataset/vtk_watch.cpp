@@ -9,6 +9,7 @@
 #include <vtkXMLWriter.h>
 
 #include <algorithm>
+#include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -53,17 +54,34 @@ class VtkWatch::LogListener {
  public:
   explicit LogListener(VtkWatch& watch)
       : watch_(watch), name_(format("pbffd {}", static_cast<const void*>(this))) {
+    const std::lock_guard lock(silence().mutex);
+    if (silence().listeners++ == 0) {
+      silence().before = vtkLogger::GetCurrentVerbosityCutoff();
+      vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    }
     vtkLogger::AddCallback(name_.c_str(), &LogListener::hear, this, vtkLogger::VERBOSITY_WARNING);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
   ~LogListener() {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
+    const std::lock_guard lock(silence().mutex);
     vtkLogger::RemoveCallback(name_.c_str());
+    if (--silence().listeners == 0) {
+      vtkLogger::SetStderrVerbosity(silence().before);
+    }
   }
   LogListener(const LogListener&) = delete;
   LogListener& operator=(const LogListener&) = delete;
 
  private:
+  /// What is shared by all: standard error is silent while any listens.
+  struct Silence {
+    std::mutex mutex;
+    int listeners = 0;
+    vtkLogger::Verbosity before = vtkLogger::VERBOSITY_INFO;
+  };
+  static Silence& silence() {
+    static Silence shared;
+    return shared;
+  }
   static void hear(void* listener, const vtkLogger::Message& message) {
     const auto* self = static_cast<const LogListener*>(listener);
     if (std::this_thread::get_id() == self->thread_) {

@@ -2,6 +2,8 @@
 
 #include "app/dataset/apply.h"
 
+#include <utility>
+
 namespace pbffd::workbench {
 namespace {
 
@@ -9,17 +11,19 @@ ui::ApplyService::Report applyTo(const Project& project, const ui::ApplyService:
                                  const Progress& progress) {
   ApplyOptions options;
   options.align = request.align;
-  for (const std::string& text : request.transports) {
-    options.transports.push_back(parseTransport(text));
-  }
+  options.transports = parseTransports(request.transports);
   const ApplyReport report = applyToFile(project, request.source, request.target, options, progress);
-  return {report.points, report.pieces, report.remarks};
+  std::vector<std::string> remarks;
+  for (const Remark& remark : report.remarks) {
+    remarks.push_back(remark.text);
+  }
+  return {report.points, report.pieces, std::move(remarks)};
 }
 
 }  // namespace
 
 ui::ApplyService applyService() {
-  return {applyTo, isApplicable, hasNamedArrays, applicableEndings()};
+  return {applyTo, isApplicable, isApplicableAs, hasNamedArrays, applicableEndings()};
 }
 
 }  // namespace pbffd::workbench

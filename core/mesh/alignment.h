@@ -28,7 +28,8 @@ struct Alignment {
 /// knows which point is which: another level of detail, a scan. Starts from the centroids and principal axes
 /// in all their proper orders and signs and from turns spread evenly over all of them, pairs nearest points
 /// in both directions and fits by Umeyama's closed form, again and again, and keeps the best; pairs far apart
-/// count less and less, so that a few strays do no harm. Where two turns fit alike the smaller is taken.
+/// count less and less, so that a few strays do no harm. Where turns fit alike, that which there is already is
+/// kept.
 ///
 /// points: M x 3, at best a few ten thousand spread evenly; rows that are not finite are left out. The same
 /// input gives the same bits. Throws InvalidInput where either side has no extent in two directions, Cancelled.

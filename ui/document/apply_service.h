@@ -30,6 +30,8 @@ struct ApplyService {
   std::function<Report(const Project& project, const Request& request, const Progress& progress)> apply;
   /// Whether the ending is one that can be read.
   std::function<bool(const std::filesystem::path& path)> knows;
+  /// Whether what is read from `source` can be written under the ending of `target`.
+  std::function<bool(const std::filesystem::path& source, const std::filesystem::path& target)> fits;
   /// Whether files of this ending have arrays by name.
   std::function<bool(const std::filesystem::path& path)> hasArrays;
   /// ".obj, .vtu and .glb": for messages.

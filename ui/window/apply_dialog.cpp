@@ -68,6 +68,7 @@ void ApplyDialog::makeRows() {
   arrays_->setToolTip(
       tr("Arrays of vectors or normals that turn with the deformation, parted by commas: velocity, "
          "Normals:normal"));
+  reason_->setObjectName("reason");
   reason_->setWordWrap(true);
   const auto withButton = [this](QLineEdit* field, const QString& name, auto choose) {
     auto* row = new QHBoxLayout;
@@ -179,6 +180,9 @@ QString ApplyDialog::reasonAgainst() const {
   }
   if (target_->text().isEmpty()) {
     return tr("Name the file to write.");
+  }
+  if (!service_.fits(pathOf(source_->text()), pathOf(targetPath()))) {
+    return tr("%1 keeps its format: let the file to write end in .%2.").arg(source.fileName(), source.suffix());
   }
   return {};
 }

@@ -12,6 +12,17 @@
 #include <utility>
 
 namespace pbffd::ui {
+namespace {
+
+QString joined(const std::vector<std::string>& remarks) {
+  QStringList texts;
+  for (const std::string& remark : remarks) {
+    texts += QString::fromStdString(remark);
+  }
+  return texts.join(u' ');
+}
+
+}  // namespace
 
 ApplyToOther::ApplyToOther(ApplyService service, Document& document, const Actions& actions, QWidget& window)
     : QObject(&window),
@@ -43,12 +54,14 @@ void ApplyToOther::start(const ApplyService::Request& request) {
           report.pieces == 1
               ? tr("Wrote %1: %2 points.").arg(target, counted(report.points))
               : tr("Wrote %1: %2 points in %3 pieces.").arg(target, counted(report.points)).arg(report.pieces));
-      for (const std::string& remark : report.remarks) {
-        Q_EMIT document->remarked(QString::fromStdString(remark));
+      if (!report.remarks.empty()) {
+        Q_EMIT document->remarked(joined(report.remarks));
       }
     };
   };
-  document_.jobs().start({"apply", tr("Applying to %1").arg(source), work});
+  // A job of its own for each file to write: the next waits for it, and does not replace it.
+  const QString key = "apply " + QString::fromStdU16String(request.target.u16string());
+  document_.jobs().start({key, tr("Applying to %1").arg(source), work});
 }
 
 }  // namespace pbffd::ui

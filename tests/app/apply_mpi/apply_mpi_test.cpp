@@ -112,6 +112,15 @@ class ApplyMpiTest : public QObject {
     QVERIFY(test::namesIn(folder_ / "out").empty());
   }
 
+  void remarksAreToldWhereTheFirstRankHasNoPoints() {
+    for (const char* piece : {"0", "2", "4"}) {
+      test::writeEmptyPiece(folder_ / "in/run" / (std::string(piece) + ".vtu"));
+    }
+    const Ended ended = run(2, {path("bent.pbffd"), path("in/run.pvtu"), "-o", path("out/run.pvtu")});
+    QVERIFY2(ended.status == 0, qPrintable(ended.said));
+    QVERIFY2(ended.said.contains("(--transport Normals)"), qPrintable(ended.said));
+  }
+
   void killedRankLeavesNothing() {
     // A pipe that nobody writes to holds the rank that reads it.
     std::filesystem::remove(folder_ / "in/run/3.vtu");

@@ -99,14 +99,6 @@ class ApplyFailuresTest : public QObject {
     QCOMPARE(test::namesIn(folder_), before);
   }
 
-  void arrayNamedTwiceIsAnError() {
-    test::writeXml(folder_ / "a.vtu", *test::hexahedra(3, true), test::XmlMode::raw);
-    const Transport transport = parseTransport("velocity");
-    QVERIFY_EXCEPTION_THROWN(applyToFile(test::bentProject(), folder_ / "a.vtu", folder_ / "b.vtu",
-                                         {false, {transport, transport}, {}}),
-                             InvalidInput);
-  }
-
   void outputThatIsNoRegularFileIsNamedAndStays() {
     std::filesystem::create_symlink("/dev/full", folder_ / "b.vtu");
     test::writeXml(folder_ / "a.vtu", *test::hexahedra(3, true), test::XmlMode::raw);

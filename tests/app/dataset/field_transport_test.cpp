@@ -23,6 +23,11 @@ class FieldTransportTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(parseTransport(":vector"), InvalidInput);
   }
 
+  void arrayNamedTwiceIsAnError() {
+    QCOMPARE(parseTransports({"velocity", "n:normal"}).size(), std::size_t{2});
+    QVERIFY_EXCEPTION_THROWN(parseTransports({"velocity", "velocity:vector"}), InvalidInput);
+  }
+
   void normalsAreKnownByTheirNames() {
     QVERIFY(namesNormals("Normals") && namesNormals("normal") && namesNormals("PointNormals"));
     QVERIFY(!namesNormals("abnormal stress") && !namesNormals("velocity"));

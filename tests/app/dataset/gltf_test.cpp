@@ -211,7 +211,7 @@ class GltfTest : public QObject {
     const std::string name = write("binary", json);
     const Project project = test::bentProject();
     const ApplyReport report = applyToFile(project, folder_ / name, folder_ / "out" / name);
-    QVERIFY(QString::fromStdString(report.remarks.at(0)).contains("morph targets"));
+    QVERIFY(QString::fromStdString(report.remarks.at(0).text).contains("morph targets"));
     const Points before = GltfDocument(folder_ / name).rows(0, 3);
     const Points after = GltfDocument(folder_ / "out" / name).rows(0, 3);
     QVERIFY((after - SpaceDeformation(project.mesh, project.controls).positions(before)).norm() < 1e-6);

@@ -79,7 +79,7 @@ class PartitionTest : public QObject {
     test::writeSurfacePiece(folder_ / "in/run/0.vtu");
     const Points rest = test::pointsOf(*test::readBack(folder_ / "in/run/0.vtu"));
     const ApplyReport report = applyToFile(project, folder_ / "in/run.pvtu", folder_ / "out/run.pvtu");
-    QVERIFY(QString::fromStdString(report.remarks.at(0)).contains("volume cells"));
+    QVERIFY(QString::fromStdString(report.remarks.at(0).text).contains("volume cells"));
     QVERIFY(test::pointsOf(*test::readBack(folder_ / "out/run/0.vtu")) ==
             SpaceDeformation(project.mesh, project.controls, ReachRule::all)
                 .positions(rest)
@@ -106,7 +106,7 @@ class PartitionTest : public QObject {
     QVERIFY(test::pointArray(*test::readBack(folder_ / "out/run/1.vtu"), "velocity") !=
             test::pointArray(*test::readBack(folder_ / "in/run/1.vtu"), "velocity"));
     QCOMPARE(report.remarks.size(), std::size_t{1});
-    QVERIFY(QString::fromStdString(report.remarks[0]).contains("--transport Normals"));
+    QVERIFY(QString::fromStdString(report.remarks[0].option).contains("--transport Normals"));
   }
 
   void badInputNamesThePieceAndLeavesNothing_data() {
@@ -137,6 +137,18 @@ class PartitionTest : public QObject {
         test::messageOf([&] { applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / target); }));
     QVERIFY2(message.contains(said), qPrintable(message));
     QVERIFY(test::namesIn(folder_ / "out").empty());
+  }
+
+  void pieceThatAnotherOneIsReadFromStays() {
+    test::writePartition(folder_ / "in/run.pvtu", 3);
+    // The new first piece would take the place of the second one's source, under whichever name.
+    std::filesystem::create_directory(folder_ / "out/run");
+    std::filesystem::create_hard_link(folder_ / "in/run/1.vtu", folder_ / "out/run/0.vtu");
+    const std::string before = readFile(folder_ / "in/run/1.vtu");
+    const QString message = QString::fromStdString(test::messageOf(
+        [&] { applyToFile(test::bentProject(), folder_ / "in/run.pvtu", folder_ / "out/run.pvtu"); }));
+    QVERIFY2(message.contains("out/run/0.vtu: it is piece 2 of 3 ("), qPrintable(message));
+    QVERIFY(readFile(folder_ / "in/run/1.vtu") == before);
   }
 
   void nameThatIsNoPlainTextIsWrittenAsXml() {

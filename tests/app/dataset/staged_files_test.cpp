@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cstdlib>
+
 namespace pbffd {
 
 class StagedFilesTest : public QObject {
@@ -59,6 +61,45 @@ class StagedFilesTest : public QObject {
       const std::string message = test::messageOf([&] { StagedFiles(folder_ / name); });
       QVERIFY2(message.find(name) != std::string::npos, message.c_str());
     }
+  }
+
+  void placeOnAnotherDiskIsRefusedBeforeAnyWork() {
+    std::string elsewhere = "/dev/shm/pbffd-staged-XXXXXX";
+    if (::mkdtemp(elsewhere.data()) == nullptr) {
+      QSKIP("There is no second file system to try it on.");
+    }
+    std::filesystem::create_directory_symlink(elsewhere, folder_ / "pieces");
+    std::string message;
+    {
+      StagedFiles staged(folder_ / "index");
+      staged.add(folder_ / "index");
+      message = test::messageOf([&] { staged.add(folder_ / "pieces/a"); });
+    }
+    const bool isEmpty = std::filesystem::is_empty(elsewhere);
+    std::filesystem::remove_all(elsewhere);
+    QVERIFY2(message.find("pieces/a: it lies on another file system than") != std::string::npos,
+             message.c_str());
+    QVERIFY(isEmpty);
+    QCOMPARE(test::namesIn(folder_), (std::vector<std::string>{"pieces"}));
+  }
+
+  void preparedFilesHaveNoNameYet() {
+    StagedFiles staged(folder_ / "index");
+    writeFileAtomically(staged.add(folder_ / "new/a"), "a");
+    writeFileAtomically(staged.add(folder_ / "index"), "i");
+    staged.prepare();
+    QVERIFY(std::filesystem::is_empty(folder_ / "new") && !std::filesystem::exists(folder_ / "index"));
+    staged.commit();
+    QVERIFY(std::filesystem::exists(folder_ / "new/a") && std::filesystem::exists(folder_ / "index"));
+  }
+
+  void fileThatIsGoneIsToldBeforeAnyNameIsGiven() {
+    StagedFiles staged(folder_ / "a");
+    writeFileAtomically(staged.add(folder_ / "a"), "a");
+    staged.add(folder_ / "b");
+    const std::string message = test::messageOf([&] { staged.commit(); });
+    QVERIFY2(message.find("/b: ") != std::string::npos, message.c_str());
+    QVERIFY(!std::filesystem::exists(folder_ / "a"));
   }
 
   void partsOfOthersStayTheirs() {

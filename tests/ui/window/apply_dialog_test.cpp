@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QThread>
 
@@ -47,9 +48,12 @@ struct FakeService {
               if (fails) {
                 throw InvalidInput("Could not read other.vtu: it has no points.");
               }
-              return ApplyService::Report{1234567, 3, {"It has volume cells."}};
+              return ApplyService::Report{1234567, 3, {"It has volume cells.", "Its normals stayed."}};
             },
             [](const std::filesystem::path& path) { return path.extension() == ".vtu"; },
+            [](const std::filesystem::path& source, const std::filesystem::path& target) {
+              return source.extension() == target.extension();
+            },
             [](const std::filesystem::path& path) { return path.extension() == ".vtu"; }, ".obj and .vtu"};
   }
 
@@ -87,6 +91,19 @@ class ApplyDialogTest : public QObject {
     QVERIFY(dialog.findChild<QLineEdit*>("arrays")->isEnabled());
     target->clear();
     QVERIFY(!apply->isEnabled());
+  }
+
+  void anotherFormatIsRefusedWithTheReason() {
+    FakeService fake;
+    const ApplyService service = fake.service();
+    const QTemporaryDir folder;
+    touch(folder.filePath("a.vtu"));
+    ui::ApplyDialog dialog(service, folder.path(), nullptr);
+    dialog.findChild<QLineEdit*>("source")->setText(folder.filePath("a.vtu"));
+    dialog.findChild<QLineEdit*>("target")->setText("b.obj");
+    QVERIFY(!buttonOf(dialog)->isEnabled());
+    QCOMPARE(dialog.findChild<QLabel*>("reason")->text(),
+             QString("a.vtu keeps its format: let the file to write end in .vtu."));
   }
 
   void whatIsThereIsReplacedOnlyBySayingSo() {
@@ -137,7 +154,7 @@ class ApplyDialogTest : public QObject {
     QVERIFY(fake.request.align);
     QCOMPARE(QString::fromStdString(fake.request.target.string()), open.folder.filePath("out.vtu"));
     QCOMPARE(informed.last(), QString("Wrote out.vtu: 1,234,567 points in 3 pieces."));
-    QCOMPARE(open.window.errorBar().text(), QString("It has volume cells."));
+    QCOMPARE(open.window.errorBar().text(), QString("It has volume cells. Its normals stayed."));
   }
 
   void failureIsToldAndCancelLeavesAllAsBefore() {
@@ -156,6 +173,25 @@ class ApplyDialogTest : public QObject {
     open.window.document().jobs().cancel();
     QVERIFY(finishJobs(open.window.document()));
     QCOMPARE(open.window.document().history().count(), entries);
+  }
+
+  void secondFileWaitsForTheFirst() {
+    FakeService fake;
+    fake.isSlow = true;
+    OpenWindow open({ui::Theme::Choice::dark, false, fake.service()});
+    QVERIFY(open.open(writeShape(open.folder, cube(), "cube.obj")));
+    touch(open.folder.filePath("other.vtu"));
+    QStringList informed;
+    connect(&open.window.document(), &ui::Document::informed, this,
+            [&informed](const QString& text) { informed += text; });
+    trigger(open, "one.vtu", false);
+    QTRY_COMPARE(fake.calls.load(), 1);
+    trigger(open, "two.vtu", false);
+    fake.isSlow = false;
+    QVERIFY(finishJobs(open.window.document()));
+    QCOMPARE(fake.calls.load(), 2);
+    QCOMPARE(informed.mid(informed.size() - 2), (QStringList{"Wrote one.vtu: 1,234,567 points in 3 pieces.",
+                                                             "Wrote two.vtu: 1,234,567 points in 3 pieces."}));
   }
 
   void withoutAServiceTheActionIsNotThere() {

@@ -5,12 +5,15 @@
 #include "tests/support/test_main.h"
 
 #include <Eigen/Geometry>
+#include <QElapsedTimer>
 #include <QtTest>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
+#include <thread>
 
 namespace pbffd {
 namespace {
@@ -184,6 +187,30 @@ class CoarseMeshTest : public QObject {
     QCOMPARE(coarse.triangles, mesh.triangles().vertices);
   }
 
+  void tinyPartsAreJoined() {
+    // 5,000 grains of eight triangles over a sphere: within a cell of the grid none hangs together with another.
+    const Mesh grain = test::triangulated(test::placedAt(test::sphere(2, 4), 0.012, Vec3::Zero()));
+    const Mesh ball = test::sphere(50, 100);
+    const RestMesh mesh(scattered(grain, ball.positions));
+    const Index most = mesh.triangles().size() / 10;
+    const CoarseMesh coarse = coarseMesh(mesh, most);
+    QVERIFY(trianglesOf(coarse) <= most);
+    QVERIFY2(trianglesOf(coarse) > most / 2, QByteArray::number(trianglesOf(coarse)).constData());
+    QVERIFY2(farthest(mesh, coarse) < 0.25, QByteArray::number(farthest(mesh, coarse)).constData());
+  }
+
+  void leavesOfATreeDoNotVanish() {
+    const Mesh trunk = test::triangulated(test::cylinder(4.0, 0.1, 100, 40));
+    const Mesh leaf = test::triangulated(test::placedAt(test::sheet(2), 0.02, Vec3::Zero()));
+    const Mesh crown = scattered(leaf, test::placedAt(test::sphere(40, 80), 1.0, Vec3(4, 0, 0)).positions);
+    const RestMesh mesh(test::merged(trunk, crown));
+    const CoarseMesh coarse = coarseMesh(mesh, 4000);
+    const auto ofCrown = std::count_if(coarse.vertices.begin(), coarse.vertices.end(),
+                                       [&](Index v) { return v >= trunk.vertexCount(); });
+    QVERIFY(2 * ofCrown > static_cast<std::ptrdiff_t>(coarse.vertices.size()));
+    QVERIFY(farthest(mesh, coarse) < 0.4);
+  }
+
   void meshesWithoutAreaAreTakenToo() {
     QVERIFY(coarseMesh(RestMesh(Mesh()), 100).triangles.empty());
     Mesh point = test::triangulated(test::sphere(10, 20));
@@ -209,7 +236,48 @@ class CoarseMeshTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(coarseMesh(mesh, 100, progress), Cancelled);
   }
 
+  void cancelIsNoticedSoon() {
+    const RestMesh mesh(test::sphere(700, 701));  // about a million triangles
+    mesh.triangles();
+    mesh.normals();
+    mesh.graph();
+    for (const int wait : {1, 10, 30, 60, 100, 150}) {
+      const Progress progress([](std::string_view, double) {});
+      std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+        progress.cancel();
+      });
+      QElapsedTimer timer;
+      timer.start();
+      try {
+        coarseMesh(mesh, 50000, progress);
+      } catch (const Cancelled&) {
+      }
+      const auto spent = timer.elapsed();
+      other.join();
+      QVERIFY2(spent < wait + 200, QByteArray::number(spent).constData());
+    }
+  }
+
  private:
+  /// A copy of the shape at each of the places.
+  static Mesh scattered(const Mesh& shape, const Points& places) {
+    Mesh all;
+    all.positions.resize(shape.vertexCount() * places.rows(), 3);
+    for (Index place = 0; place < places.rows(); ++place) {
+      const Index first = place * shape.vertexCount();
+      all.positions.middleRows(first, shape.vertexCount()) = shape.positions.rowwise() + places.row(place);
+      for (Index f = 0; f < shape.faces.size(); ++f) {
+        std::vector<Index> corners(shape.faces[f].begin(), shape.faces[f].end());
+        for (Index& corner : corners) {
+          corner += first;
+        }
+        all.faces.add(corners);
+      }
+    }
+    return all;
+  }
+
   /// Six sheets of n x n quads, the sides of the cube [-1, 1]^3, joined by position alone.
   static Mesh boxOfSheets(int n) {
     Mesh box;

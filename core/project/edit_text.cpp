@@ -21,6 +21,15 @@ std::string percent(double factor) {
   return number(100.0 * factor) + " %";
 }
 
+/// 2,903: as figures are written everywhere on screen.
+std::string counted(std::size_t count) {
+  std::string figures = std::to_string(count);
+  for (int at = static_cast<int>(figures.size()) - 3; at > 0; at -= 3) {
+    figures.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return figures;
+}
+
 const char* plural(std::size_t count) {
   return count == 1 ? "" : "s";
 }
@@ -53,7 +62,7 @@ class Describer {
 
   std::string operator()(const Place& edit) const {
     const PlacementOptions& options = edit.options;
-    return format("Place {} point{} on {} level{}", options.points, plural(options.points), options.levels,
+    return format("Place {} point{} on {} level{}", counted(options.points), plural(options.points), options.levels,
                   plural(options.levels));
   }
 
@@ -133,7 +142,7 @@ class Describer {
   }
 
   std::string operator()(const Group& edit) const {
-    return edit.text.empty() ? format("{} edit{}", edit.edits.size(), plural(edit.edits.size())) : edit.text;
+    return edit.text.empty() ? format("{} edit{}", counted(edit.edits.size()), plural(edit.edits.size())) : edit.text;
   }
 
  private:
@@ -152,7 +161,7 @@ class Describer {
 
   std::string points(const PointSelection& where) const {
     return where.points.size() == 1 ? name(where.level, where.points[0])
-                                    : format("{} points", where.points.size());
+                                    : format("{} points", counted(where.points.size()));
   }
 
   const Project& before_;

@@ -21,6 +21,7 @@ class EditTextTest : public QObject {
     says(Move{{3, {5}}, {by}, Follow::frames, {}}, "Move point 5 by 0, 0.35, 0");
     says(Move{{3, {4, 5, 6}}, {by}, Follow::frames, {}}, "Move 3 points by 0, 0.35, 0");
     says(Move{{3, {4, 5}}, {by, by}, Follow::frames, {}}, "Move 2 points");
+    says(Remove{{3, std::vector<PointId>(1000, 5)}}, "Remove 1,000 points");
     Transform turn;
     turn.where = {3, {4, 5}};
     turn.degrees = 26;

@@ -1,6 +1,4 @@
 #include "core/ffd/levels/frames_follow.h"
-#include "core/project/mirror.h"
-#include "core/project/shape.h"
 #include "tests/core/project/projects.h"
 #include "tests/support/test_main.h"
 
@@ -211,137 +209,6 @@ class EditMoveTest : public QObject {
     }
   }
 
-  void mirrorPartnersMoveMirrored() {
-    const Project before = symmetricProject();
-    Move edit{{1, {1}}, {Vec3(0.1, 0.2, 0.3)}, Follow::none, {}};
-    edit.spread.mirror = {Axis::x};
-    const Project moved = after(before, edit);
-    QVERIFY((pointOf(moved, 1).pose.center - pointOf(before, 1).pose.center - Vec3(0.1, 0.2, 0.3)).norm() <
-            1e-15);
-    QVERIFY((pointOf(moved, 2).pose.center - pointOf(before, 2).pose.center - Vec3(-0.1, 0.2, 0.3)).norm() <
-            1e-15);
-    QVERIFY(pointOf(moved, 3).pose == pointOf(before, 3).pose);
-  }
-
-  void pointsWithoutAPartnerAreTold() {
-    Project before = symmetricProject();
-    before = after(before, Remove{{1, {2}}});
-    Move edit{{1, {1, 3}}, {Vec3(0.1, 0.2, 0.3)}, Follow::none, {}};
-    QVERIFY(test::resultOf(before, edit).remarks.empty());
-    edit.spread.mirror = {Axis::x};
-    const EditResult result = test::resultOf(before, edit);
-    QCOMPARE(result.remarks,
-             std::vector<std::string>{"1 of 2 points has no mirror partner, so nothing moved across from it."});
-  }
-
-  void pointsOnThePlaneStayOnIt() {
-    const Project before = symmetricProject();
-    Move edit{{1, {3}}, {Vec3(0.1, 0.2, 0.3)}, Follow::none, {}};
-    edit.spread.mirror = {Axis::x};
-    const Project moved = after(before, edit);
-    QVERIFY(pointOf(moved, 3).pose.center.x() == pointOf(before, 3).pose.center.x());
-    Transform turn;
-    turn.where = {1, {1, 3}};
-    turn.rotationAxis = Vec3(1, 1, 0);
-    turn.degrees = 50;
-    turn.scale = Vec3(2, 1, 1.5);
-    turn.pivot = Vec3(0.2, 0.1, 0);
-    turn.spread.mirror = {Axis::x};
-    const Project turned = after(before, turn);
-    QVERIFY(std::abs(pointOf(turned, 3).pose.center.x()) < 1e-15);
-    const AffineMap mirror = reflection(Axis::x, Vec3::Zero());
-    const AffineMap map = pointOf(turned, 3).map();
-    QVERIFY(difference(composed(mirror, composed(map, mirror)), map) < 1e-14);
-  }
-
-  void mirroredTransformIsTheMirrorImage() {
-    const Project before = symmetricProject();
-    Transform edit;
-    edit.where = {1, {1}};
-    edit.rotationAxis = Vec3(1, 2, -1);
-    edit.degrees = 33;
-    edit.scale = Vec3(1.3, 0.7, 1);
-    edit.pivot = Vec3(0.3, -0.2, 0.4);
-    edit.spread.mirror = {Axis::x};
-    const Project moved = after(before, edit);
-    const AffineMap mirror = reflection(Axis::x, Vec3::Zero());
-    QVERIFY(difference(composed(mirror, composed(pointOf(moved, 1).map(), mirror)), pointOf(moved, 2).map()) <
-            1e-14);
-  }
-
-  void partnersThatAreNamedOrLockedAreLeftAlone() {
-    Project before = symmetricProject();
-    Move edit{{1, {1, 2}}, {Vec3(0.1, 0, 0)}, Follow::none, {}};
-    edit.spread.mirror = {Axis::x};
-    const Project both = after(before, edit);
-    QVERIFY((pointOf(both, 2).pose.center - pointOf(before, 2).pose.center - Vec3(0.1, 0, 0)).norm() < 1e-15);
-    before = after(before, Lock{{1, {2}}, true});
-    edit.where.points = {1};
-    QVERIFY(pointOf(after(before, edit), 2).pose == pointOf(before, 2).pose);
-  }
-
-  void resetPutsEveryPoseBackToRest() {
-    Project project = projectWith();
-    const Project rest = project;
-    project =
-        after(project, Move{{1, {project.controls.levels[0][1].id}}, {Vec3(0.3, 0, 0)}, Follow::none, {}});
-    project = after(project, Move{{3, {4}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
-    Move all{{3, {5}}, {Vec3(0, 0.2, 0)}, Follow::none, {}};
-    all.spread.master = true;
-    project = after(project, all);
-    project = after(project, Reset{});
-    QVERIFY(project.controls == rest.controls);
-  }
-
-  void resetLeavesLockedPointsWhereTheyAre() {
-    Project project = projectWith();
-    project = after(project, Move{{3, {4}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
-    project = after(project, Lock{{3, {4}}, true});
-    const Frame pose = pointOf(project, 4).pose;
-    project = after(project, Move{{3, {5}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
-    EditWorkspace workspace;
-    const EditResult result = apply(project, Reset{}, workspace);
-    QCOMPARE(result.remarks.size(), std::size_t{1});
-    QVERIFY(contains(result.remarks[0], "1 locked point stayed"));
-    project = result.project;
-    QVERIFY(pointOf(project, 4).pose == pose);
-    QVERIFY(pointOf(project, 5).pose == pointOf(project, 5).rest);
-    QVERIFY(levelError(project) < 1e-13);
-  }
-
-  void pointsGoBackToRestWithTheMasterWhereAsked() {
-    const Project rest = projectWith();
-    for (int level = 1; level <= 3; ++level) {
-      Move all{{level, {}}, {Vec3(0, 0.2, 0)}, Follow::none, {}};
-      for (const ControlPoint& point : rest.controls.levels[level - 1]) {
-        all.where.points.push_back(point.id);
-      }
-      all.spread.master = true;
-      const Project moved = after(rest, all);
-      const Project back = after(moved, Reset{all.where, true});
-      QVERIFY(back.controls.master.pose == rest.controls.master.rest);
-      QVERIFY(back.controls.levels[level - 1] == rest.controls.levels[level - 1]);
-      QVERIFY(levelError(back) < 1e-13);
-      QVERIFY((shapeOf(back) - shapeOf(rest)).cwiseAbs().maxCoeff() < 1e-12);
-      // Without it what it holds stays away, and other points stay as they are.
-      const Project one = after(moved, Reset{PointSelection{level, {all.where.points[0]}}, false});
-      QVERIFY(one.controls.master.pose == moved.controls.master.pose);
-      QVERIFY(pointOf(one, all.where.points[0]).pose == pointOf(rest, all.where.points[0]).rest);
-      QVERIFY(pointOf(one, all.where.points[1]).pose == pointOf(moved, all.where.points[1]).pose);
-    }
-  }
-
-  void lockedPointsDoNotGoBackToRest() {
-    Project project = after(projectWith(), Move{{3, {4, 5}}, {Vec3(0, 0.2, 0)}, Follow::none, {}});
-    project = after(project, Lock{{3, {4}}, true});
-    EditWorkspace workspace;
-    const EditResult result = apply(project, Reset{PointSelection{3, {4, 5}}, false}, workspace);
-    QCOMPARE(result.remarks, std::vector<std::string>{"1 of 2 points is locked and stayed in place."});
-    QVERIFY(pointOf(result.project, 4).pose == pointOf(project, 4).pose);
-    QVERIFY(pointOf(result.project, 5).pose == pointOf(project, 5).rest);
-    QVERIFY(contains(refusal(project, Reset{PointSelection{3, {4}}, false}), "point 4 is locked"));
-  }
-
   void groupIsDoneWholeOrNotAtAll() {
     const Project before = projectWith();
     Group group{"Two", {Move{{3, {1}}, {Vec3(1, 0, 0)}, Follow::none, {}}, Rename{3, 2, "Neck"}}};
@@ -372,26 +239,6 @@ class EditMoveTest : public QObject {
     progress.cancel();
     EditWorkspace workspace;
     QVERIFY_EXCEPTION_THROWN(apply(projectWith(), Reset{}, workspace, progress), Cancelled);
-  }
-
- private:
-  static Points shapeOf(const Project& project) {
-    EditWorkspace workspace;
-    return deformedShape(project, workspace.weights).positions;
-  }
-
-  /// Points 1 and 2 are partners across x = 0, point 3 lies on it, point 4 has no partner.
-  static Project symmetricProject() {
-    Project project = projectWith(4, 1);
-    const std::array<Vec3, 4> centres{Vec3(0.5, 0.1, 0.2), Vec3(-0.52, 0.1, 0.2), Vec3(0.0, 0.5, 0),
-                                      Vec3(0.9, 0, 0)};
-    for (Index i = 0; i < 4; ++i) {
-      ControlPoint point = project.controls.levels[0][i];
-      point.rest = {centres[i], 0.4 * Mat3::Identity()};
-      point.pose = point.rest;
-      project.controls.levels[0].replace(i, point);
-    }
-    return project;
   }
 };
 

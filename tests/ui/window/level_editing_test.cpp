@@ -14,7 +14,7 @@ namespace pbffd::test {
 
 using ui::ActionId;
 
-/// Levels in the real window: chosen by keys and in the tree, edited, added and removed.
+/// Levels in the real window: chosen by keys, edited, added and removed.
 class LevelEditingTest : public QObject {
   Q_OBJECT
 
@@ -23,10 +23,6 @@ class LevelEditingTest : public QObject {
   void cleanup();
 
   void figuresChooseTheLevelInViewAndTree();
-  void aDoubleClickInTheTreeChoosesTheLevel();
-  void rowsOfOneLevelAreSelectedAtATime();
-  void parentsAndChildrenAreSelected();
-  void relativesThatAreLockedOrHiddenAreNotSelected();
   void aLevelWithoutAKeyTicksNone();
   void theHierarchyIsAKey();
   void pointsOfACoarseLevelAreEditedAndUndone();
@@ -38,7 +34,6 @@ class LevelEditingTest : public QObject {
   void bindingsThatContradictThePosesAreMendedAndSaid();
   void aWholeLevelTakesTheShapeAlong();
   void aWholeLevelGoesBackToRestWithTheMaster();
-  void theTreeFollowsTheEditLevel();
 
  private:
   std::unique_ptr<OpenWindow> open_;
@@ -93,97 +88,6 @@ void LevelEditingTest::figuresChooseTheLevelInViewAndTree() {
   // There is no fourth one.
   QTest::keyClick(&surface(), Qt::Key_4);
   QCOMPARE(document().selection().level(), 3);
-}
-
-void LevelEditingTest::aDoubleClickInTheTreeChoosesTheLevel() {
-  ui::SceneTree& tree = open_->window.docks().scene().tree();
-  const auto& model = *static_cast<ui::SceneModel*>(tree.model());
-  const QPoint at = tree.visualRect(model.levelIndex(1)).center();
-  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, at);
-  QTest::mouseDClick(tree.viewport(), Qt::LeftButton, {}, at);
-  QCOMPARE(document().selection().level(), 1);
-  QVERIFY(model.levelIndex(1).data(ui::SceneModel::isEditLevelRole).toBool());
-}
-
-void LevelEditingTest::rowsOfOneLevelAreSelectedAtATime() {
-  ui::SceneTree& tree = open_->window.docks().scene().tree();
-  const auto& model = *static_cast<ui::SceneModel*>(tree.model());
-  const auto row = [&](int level, int at) {
-    return model.index(at, 0, model.index(0, 0, model.levelIndex(level)));
-  };
-  const auto id = [&](int level, int at) {
-    return row(level, at).data(ui::SceneModel::pointRole).toLongLong();
-  };
-  const auto click = [&](const QModelIndex& index, Qt::KeyboardModifiers modifiers) {
-    tree.scrollTo(index);
-    QTest::mouseClick(tree.viewport(), Qt::LeftButton, modifiers, tree.visualRect(index).center());
-  };
-  tree.expandAll();
-  click(row(1, 2), {});
-  click(row(1, 4), Qt::ControlModifier);
-  click(row(2, 3), Qt::ControlModifier);
-  QCOMPARE(document().selection().level(), 2);
-  QCOMPARE(document().selection().points(), std::vector<PointId>{id(2, 3)});
-  QCOMPARE(tree.selectionModel()->selectedRows(), QModelIndexList{row(2, 3)});
-  // A range comes in the order of its rows, and the row that was clicked is the active point.
-  click(row(2, 9), Qt::ShiftModifier);
-  std::vector<PointId> range;
-  for (int at = 3; at <= 9; ++at) {
-    range.push_back(id(2, at));
-  }
-  QCOMPARE(document().selection().points(), range);
-  // A range from another level takes what it holds of the level clicked.
-  click(row(1, 1), Qt::ShiftModifier);
-  QCOMPARE(document().selection().level(), 1);
-  const auto selected = tree.selectionModel()->selectedRows();
-  QCOMPARE(static_cast<std::size_t>(selected.size()), document().selection().points().size());
-  for (const QModelIndex& one : selected) {
-    QCOMPARE(one.data(ui::SceneModel::levelRole).toInt(), 1);
-  }
-}
-
-void LevelEditingTest::parentsAndChildrenAreSelected() {
-  document().selection().setLevel(2);
-  const PointId chosen = levels()[1][7].id;
-  document().selection().replace({chosen});
-  trigger(ActionId::selectChildren);
-  QCOMPARE(document().selection().level(), 3);
-  QCOMPARE(document().selection().points(), levels()[1][7].mergedFrom);
-  trigger(ActionId::selectParents);
-  QCOMPARE(document().selection().level(), 2);
-  QCOMPARE(document().selection().points(), std::vector<PointId>{chosen});
-  trigger(ActionId::selectParents);
-  QCOMPARE(document().selection().level(), 1);
-  QCOMPARE(document().selection().points(), ui::parentsOf(document().shown().controls, 2, {chosen}));
-}
-
-void LevelEditingTest::relativesThatAreLockedOrHiddenAreNotSelected() {
-  document().selection().setLevel(2);
-  const auto merged = std::find_if(levels()[1].begin(), levels()[1].end(),
-                                   [](const ControlPoint& point) { return point.mergedFrom.size() >= 2; });
-  QVERIFY(merged != levels()[1].end());
-  const PointId chosen = merged->id;
-  const std::vector<PointId> children = merged->mergedFrom;
-  QVERIFY(document().perform(Lock{{3, {children[0]}}, true}));
-  document().selection().replace({chosen});
-  trigger(ActionId::selectChildren);
-  QCOMPARE(document().selection().points(), std::vector<PointId>(children.begin() + 1, children.end()));
-  // None is left: the level changes and keeps the selection that it has.
-  trigger(ActionId::hidePoints);
-  document().selection().setLevel(2);
-  document().selection().replace({chosen});
-  document().selection().setLevel(3);
-  PointId other = 0;
-  for (const ControlPoint& point : levels()[2]) {
-    if (std::find(children.begin(), children.end(), point.id) == children.end()) {
-      other = point.id;
-    }
-  }
-  document().selection().replace({other});
-  document().selection().setLevel(2);
-  trigger(ActionId::levelDown);
-  QCOMPARE(document().selection().level(), 3);
-  QCOMPARE(document().selection().points(), std::vector<PointId>{other});
 }
 
 void LevelEditingTest::aLevelWithoutAKeyTicksNone() {
@@ -375,27 +279,6 @@ void LevelEditingTest::aWholeLevelGoesBackToRestWithTheMaster() {
     QTest::keyClick(&surface(), Qt::Key_G, Qt::AltModifier);
     QCOMPARE(document().history().count(), entries + 1);
   }
-}
-
-void LevelEditingTest::theTreeFollowsTheEditLevel() {
-  ui::SceneTree& tree = open_->window.docks().scene().tree();
-  const auto& model = *static_cast<ui::SceneModel*>(tree.model());
-  QVERIFY(tree.isExpanded(model.levelIndex(3)));
-  surface().setFocus();
-  QTest::keyClick(&surface(), Qt::Key_1);
-  QVERIFY(tree.isExpanded(model.levelIndex(1)));
-  QVERIFY(!tree.isExpanded(model.levelIndex(3)));
-  const QModelIndex merged = model.index(0, 0, model.levelIndex(1));
-  QVERIFY(!tree.isExpanded(merged));
-  document().selection().replace({levels()[0][3].id});
-  QVERIFY(tree.isExpanded(merged));
-  // What the user opened stays open.
-  tree.expand(model.levelIndex(2));
-  QTest::keyClick(&surface(), Qt::Key_3);
-  QVERIFY(!tree.isExpanded(model.levelIndex(1)));
-  QVERIFY(!tree.isExpanded(model.index(0, 0, model.levelIndex(1))));
-  QVERIFY(tree.isExpanded(model.levelIndex(2)));
-  QVERIFY(tree.isExpanded(model.levelIndex(3)));
 }
 
 const Registration<LevelEditingTest> registration;

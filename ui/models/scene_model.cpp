@@ -298,7 +298,10 @@ QVariant SceneModel::checkOf(const Place& place, int column) const {
   const auto state = [](bool on) { return QVariant(on ? Qt::Checked : Qt::Unchecked); };
   switch (column) {
     case eyeColumn:
-      return state(switches_.isShown(place));
+      // The level that is edited is always drawn.
+      return place.row == Row::level && place.level == document_.editLevel()
+                 ? QVariant()
+                 : state(switches_.isShown(place));
     case lockColumn:
       return state(switches_.isLocked(place));
     case tickColumn:
@@ -363,7 +366,7 @@ bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int ro
   }
   const Place place = placeOf(index);
   if (role == Qt::CheckStateRole) {
-    return setSwitch(place, index.column(), value.toInt() == Qt::Checked);
+    return data(index, role).isValid() && setSwitch(place, index.column(), value.toInt() == Qt::Checked);
   }
   if (role != Qt::EditRole || place.row != Row::point || index.column() != nameColumn) {
     return false;

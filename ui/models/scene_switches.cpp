@@ -27,7 +27,7 @@ bool SceneSwitches::isShown(const ScenePlace& place) const {
     case SceneRow::controls:
       return view_.areControlsShown();
     case SceneRow::level:
-      return place.level == document_.editLevel() || view_.isLevelShown(place.level + 1);
+      return view_.isLevelShown(place.level + 1);
     case SceneRow::group: {
       const auto& places = rows_.places(place.level, place.kind);
       return std::any_of(places.begin(), places.end(),

@@ -161,6 +161,12 @@ void SceneModelTest::theEditLevelIsMarked() {
   document_->selection().setLevel(1);
   QVERIFY(model_->levelIndex(1).data(SceneModel::isEditLevelRole).toBool());
   QVERIFY(!model_->levelIndex(2).data(SceneModel::isEditLevelRole).toBool());
+  // It is always drawn: it has no eye, and no switch that does nothing.
+  const QModelIndex eye = model_->levelIndex(1).siblingAtColumn(SceneModel::eyeColumn);
+  QVERIFY(!eye.data(Qt::CheckStateRole).isValid());
+  QVERIFY(!model_->setData(eye, Qt::Unchecked, Qt::CheckStateRole));
+  const QModelIndex other = model_->levelIndex(2).siblingAtColumn(SceneModel::eyeColumn);
+  QCOMPARE(other.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
 }
 
 void SceneModelTest::parentsAndChildrenOfTheSelectionAreMarked() {

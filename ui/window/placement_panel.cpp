@@ -108,14 +108,18 @@ QLayout* PlacementPanel::makeFooter() {
   keepEdits_->setToolTip(tr("New points take over the deformation of their places"));
   keepEdits_->setChecked(true);
   footer_ = makeLabel({}, "quiet");
+  footer_->setObjectName("placementFigures");
   auto* row = new QHBoxLayout;
-  row->setContentsMargins(0, 6, 0, 0);
   row->setSpacing(10);
   row->addWidget(again);
   row->addWidget(keepEdits_);
   row->addStretch();
-  row->addWidget(footer_);
-  return row;
+  // A row of its own: beside both there is no room for it.
+  auto* rows = new QVBoxLayout;
+  rows->setContentsMargins(0, 6, 0, 0);
+  rows->addLayout(row);
+  rows->addWidget(footer_);
+  return rows;
 }
 
 void PlacementPanel::connectRows() {
@@ -141,7 +145,17 @@ void PlacementPanel::connectRows() {
   connect(&document_, &Document::opened, this, &PlacementPanel::load);
   connect(&document_, &Document::changed, this, &PlacementPanel::follow);
   connect(&document_, &Document::placed, this, &PlacementPanel::showFooter);
-  connect(&document_.jobs(), &JobRunner::started, this, &PlacementPanel::showFooter);
+  connect(&document_, &Document::placed, this, [this] { isPlacing_ = false; });
+  connect(&document_.jobs(), &JobRunner::started, this, [this] {
+    isPlacing_ = document_.jobs().isRunning("place");
+    showFooter();
+  });
+  // Who cancels a placement does not want the one that would follow it.
+  connect(&document_.jobs(), &JobRunner::cancelled, this, [this] {
+    if (isPlacing_) {
+      waiting_.reset();
+    }
+  });
   connect(&document_.jobs(), &JobRunner::finished, this, &PlacementPanel::placeWaiting);
 }
 
@@ -233,6 +247,9 @@ void PlacementPanel::placeWaiting() {
   if (const auto key = std::exchange(waiting_, std::nullopt); key && document_.isPristine()) {
     place(false, *key);
   } else {
+    if (std::exchange(isPlacing_, false)) {
+      shownOptions_.reset();  // it came to nothing: not what was asked for, but what there is
+    }
     follow();
   }
   showFooter();

@@ -50,6 +50,7 @@ class PlacementPanel : public QScrollArea {
   std::optional<PlacementOptions> shownOptions_;  ///< the project's, when they were shown last
   std::optional<int> waiting_;                    ///< the merge key of a change that came while one was placed
   int mergeKey_ = 0;
+  bool isPlacing_ = false;  ///< until it came to an end, good or bad
   SliderRow* points_;
   Segments* levels_;
   SliderRow* radius_;

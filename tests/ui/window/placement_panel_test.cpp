@@ -3,10 +3,12 @@
 #include "tests/support/shown_window.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/document/opened.h"
+#include "ui/document/job_runner.h"
 #include "ui/document/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QSlider>
 #include <QtTest>
 
@@ -25,6 +27,8 @@ class PlacementPanelTest : public QObject {
   void theSliderPlacesAnewWhileNothingIsEdited();
   void afterAnEditOnlyTheButtonPlaces();
   void undoTakesTheNumbersBack();
+  void aCancelledPlacementLeavesTheNumbersThatAreTrue();
+  void figuresAreSeenWhole();
   void levelsThatCameAreShown();
   void regionsCanBeEllipsoids();
 
@@ -89,6 +93,29 @@ void PlacementPanelTest::undoTakesTheNumbersBack() {
   QVERIFY(finishJobs(*document_));
   document_->undo();
   QCOMPARE(panel_->options().points, 40);
+}
+
+void PlacementPanelTest::aCancelledPlacementLeavesTheNumbersThatAreTrue() {
+  QTest::keyClick(panel_->pointsSlider(), Qt::Key_PageUp);
+  QVERIFY(document_->jobs().isRunning("place"));
+  QTest::keyClick(panel_->pointsSlider(), Qt::Key_PageUp);  // this one waits for the other
+  QVERIFY(panel_->options().points > 40);
+  document_->jobs().cancel();
+  QVERIFY(finishJobs(*document_));
+  QCOMPARE(document_->history().count(), 1);
+  QCOMPARE(document_->shown().controls.finest().size(), 40);
+  QCOMPARE(panel_->options().points, 40);
+}
+
+void PlacementPanelTest::figuresAreSeenWhole() {
+  QVERIFY(document_->perform(
+      Move{{std::nullopt, firstPoints(*document_, 2)}, {Vec3(0, 0.2, 0)}, Follow::none, {}}));
+  const auto* figures = panel_->findChild<QLabel*>("placementFigures");
+  QVERIFY(figures->text().endsWith(" s"));
+  QCoreApplication::processEvents();
+  QVERIFY(figures->width() >= figures->sizeHint().width());
+  QVERIFY(figures->mapTo(panel_->viewport(), figures->rect().topRight()).x() < panel_->viewport()->width());
+  QVERIFY(panel_->widget()->width() <= panel_->viewport()->width());
 }
 
 void PlacementPanelTest::levelsThatCameAreShown() {

@@ -36,6 +36,8 @@ class Viewport : public QWidget {
   /// The widget that gets mouse and key events; child widgets over the view have it as their parent.
   QWidget* surface() const;
 
+  /// What lies over the upper edge of the view, in logical pixels: framing leaves room for it.
+  void setCoveredTop(int pixels);
   void frameAll();
   /// The selected points with their regions; everything when nothing is selected.
   void frameSelection();

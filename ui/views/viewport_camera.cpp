@@ -12,8 +12,14 @@ namespace {
 /// The share of the view that framing fills.
 constexpr double fillAll = 0.80;
 constexpr double fillSelection = 0.55;
+/// Of a view that is covered nearly whole.
+constexpr double leastFill = 0.3;
 
 }  // namespace
+
+void Viewport::setCoveredTop(int pixels) {
+  parts_->coveredTop = pixels;
+}
 
 void Viewport::frameAll() {
   Parts& p = *parts_;
@@ -35,7 +41,8 @@ void Viewport::frameAll() {
     high = high.cwiseMax(point);
   });
   const double aspect = static_cast<double>(std::max(width(), 1)) / std::max(height(), 1);
-  p.camera.frame(0.5 * (low + high), eachVertex, aspect, fillAll);
+  const double uncovered = 1.0 - 2.0 * p.coveredTop / std::max(height(), 1);
+  p.camera.frame(0.5 * (low + high), eachVertex, aspect, std::clamp(uncovered, leastFill, fillAll));
   setCamera(p.camera);
 }
 

@@ -49,6 +49,7 @@ struct Viewport::Parts {
   CameraController* cameraController = nullptr;
   DragDetail* detail = nullptr;
   bool framesNextMesh = true;
+  int coveredTop = 0;
 };
 
 }  // namespace pbffd::ui

@@ -34,6 +34,7 @@ QList<QAction*> visibleTools(const Actions& actions) {
 ViewOverlays::ViewOverlays(Viewport& viewport, const Sources& sources, QObject* parent)
     : QObject(parent),
       sources_(sources),
+      viewport_(viewport),
       surface_(*viewport.surface()),
       rail_(new ToolRail(sources.theme, visibleTools(sources.actions), &surface_)),
       viewBar_(makeViewBar(surface_)),
@@ -115,6 +116,7 @@ void ViewOverlays::fitLabel() {
 void ViewOverlays::arrange() {
   rail_->move(margin, margin);
   viewBar_->move(surface_.width() - viewBar_->width() - margin, margin);
+  viewport_.setCoveredTop(viewBar_->geometry().bottom() + margin / 2);
   label_->move(rail_->geometry().right() + margin + 1, margin + 7);
   fitLabel();
 }

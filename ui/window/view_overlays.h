@@ -38,6 +38,7 @@ class ViewOverlays : public QObject {
   void arrange();
 
   Sources sources_;
+  Viewport& viewport_;
   QWidget& surface_;
   ToolRail* rail_;
   QFrame* viewBar_;

@@ -56,6 +56,23 @@ class ViewportTest : public QObject {
     QCOMPARE(test::differingPixels(before, open.frame()), 0);
   }
 
+  void framingLeavesRoomForWhatLiesOverTheTop() {
+    test::OpenView open(pbffd::test::sphere(), {});
+    open.viewport.resize(640, 320);
+    for (const bool orthographic : {false, true}) {
+      open.view.setOrthographic(orthographic);
+      for (const int covered : {0, 60}) {
+        open.viewport.setCoveredTop(covered);
+        open.viewport.frameAll();
+        double top = open.viewport.height();
+        for (Index v = 0; v < open.document.shown().mesh->vertexCount(); ++v) {
+          top = std::min(top, open.viewport.projected(open.document.shown().mesh->positions().row(v)).y());
+        }
+        QVERIFY2(top > covered - 1e-6 && top < covered + 50, QByteArray::number(top).constData());
+      }
+    }
+  }
+
   void projectedPointsAreFoundAgain() {
     test::OpenView open(pbffd::test::cube(), cubePoints);
     for (PointId id = 1; id <= 4; ++id) {

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QScopedValueRollback>
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -61,8 +62,16 @@ void VtkWidget::resizeGL(int width, int height) {
   window_->SetDPI(qRound(72 * ratio));
 }
 
+/// Qt would paint within each of the resizes that a change of layout comes in; one frame after them all is
+/// enough.
+void VtkWidget::resizeEvent(QResizeEvent* event) {
+  const QScopedValueRollback guard(isResizing_, true);
+  QOpenGLWidget::resizeEvent(event);
+  update();
+}
+
 void VtkWidget::paintGL() {
-  if (!window_->GetReadyForRendering()) {
+  if (!window_->GetReadyForRendering() || isResizing_) {
     return;
   }
   QElapsedTimer timer;

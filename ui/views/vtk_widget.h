@@ -36,6 +36,7 @@ class VtkWidget : public QOpenGLWidget {
  private:
   static void onWindowEvent(vtkObject* caller, unsigned long event, void* client, void* call);
   void releaseContext();
+  void resizeEvent(QResizeEvent* event) override;
   void copyFrame();
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
@@ -44,3 +45,5 @@ class VtkWidget : public QOpenGLWidget {
 };
 
 }  // namespace pbffd::ui
+  bool isMeasured_ = false;
+  bool isResizing_ = false;

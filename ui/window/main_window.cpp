@@ -59,6 +59,7 @@ MainWindow::MainWindow(const Options& options)
   resize(1600, 1000);
   setAcceptDrops(true);
   setDockNestingEnabled(true);
+  setAnimated(false);  // each step of it would be a frame
   setContextMenuPolicy(Qt::NoContextMenu);
   chooseTheme(options.theme);
   files_ = new DocumentFiles({document_, view_, theme_, *recent_}, *actions_, *this);

@@ -97,8 +97,11 @@ void StatusLine::connectJobs() {
 
 void StatusLine::showProgress(const QString& stage, double share) {
   const bool isKnown = share >= 0.0;
+  // It would repaint at once, and with it whatever waits for the next frame: the view of a large mesh.
+  bar_->setUpdatesEnabled(false);
   bar_->setRange(0, isKnown ? 1000 : 0);
   bar_->setValue(isKnown ? static_cast<int>(share * 1000.0) : 0);
+  bar_->setUpdatesEnabled(true);
   stage_->setText(isKnown ? tr("%1 %2 %").arg(stage).arg(static_cast<int>(share * 100.0)) : stage);
   const double spent = document_.jobs().runningSeconds();
   const bool canTell = isKnown && share > 0.05 && spent > timeLeftAfterSeconds;

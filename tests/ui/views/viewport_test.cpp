@@ -289,6 +289,25 @@ class ViewportTest : public QObject {
     QVERIFY(frames.count() >= 1 && frames.count() <= 2);
   }
 
+  void manyResizesMakeOneFrame() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    QTest::qWait(50);
+    const QImage before = open.frame();
+    QSignalSpy frames(&open.viewport, &Viewport::rendered);
+    for (int step = 1; step <= 8; ++step) {
+      open.viewport.resize(640 - 10 * step, 480 - 10 * step);
+    }
+    open.viewport.resize(640, 480);
+    open.viewport.resize(600, 480);
+    QTRY_VERIFY(frames.count() >= 1);
+    QTest::qWait(100);
+    QVERIFY2(frames.count() <= 2, QByteArray::number(frames.count()).constData());
+    const QImage after = open.frame();
+    QCOMPARE(after.width(), qRound(600 * open.viewport.devicePixelRatioF()));
+    open.viewport.resize(640, 480);
+    QCOMPARE(test::differingPixels(before, open.frame(), 0), 0);
+  }
+
   void closingAndReopeningLeavesNothingBehind() {
     for (int i = 0; i < 3; ++i) {
       test::OpenView open(pbffd::test::sphere(), cubePoints);

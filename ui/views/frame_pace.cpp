@@ -11,6 +11,8 @@ constexpr double standInShare = 0.5;
 /// Fewer are no faster, only uglier; and a stand-in of more than half of the mesh saves too little.
 constexpr double fewestTriangles = 50000.0;
 constexpr double largestShare = 0.5;
+/// Frames that take less than this share of what they took: the machine was busy then.
+constexpr double muchLess = 0.5;
 
 }  // namespace
 
@@ -28,10 +30,18 @@ void FramePace::standInDrawn(double seconds, Index triangles) {
     stoodIn_ = {};
   }
   stoodIn_.add(seconds);
+  if (stoodIn_.faster() > secondsAllowed_) {
+    tooMany_ = triangles;
+    wholeThen_ = wholeSeconds();
+  }
+}
+
+double FramePace::wholeSeconds() const {
+  return std::max(still_.faster(), moving_.faster());
 }
 
 bool FramePace::isTooSlow() const {
-  return std::max(still_.faster(), moving_.faster()) > secondsAllowed_;
+  return wholeSeconds() > secondsAllowed_;
 }
 
 bool FramePace::isLarge(Index all) {
@@ -39,13 +49,13 @@ bool FramePace::isLarge(Index all) {
 }
 
 Index FramePace::trianglesWanted(Index all) const {
-  const double whole = std::max(still_.faster(), moving_.faster());
+  const double whole = wholeSeconds();
   double wanted = largestShare * all;
   if (whole > 0.0) {
     wanted = std::min(wanted, standInShare * secondsAllowed_ / whole * all);
   }
-  if (stoodIn_.faster() > secondsAllowed_) {
-    wanted = std::min(wanted, 0.5 * standInTriangles_);
+  if (tooMany_ > 0 && whole > muchLess * wholeThen_) {
+    wanted = std::min(wanted, 0.5 * tooMany_);
   }
   return static_cast<Index>(std::min(std::max(wanted, fewestTriangles), largestShare * all));
 }

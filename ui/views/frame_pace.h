@@ -30,7 +30,8 @@ class FramePace {
   /// time too.
   static bool isLarge(Index all);
 
-  /// Of a large mesh of that many. Fewer than before where frames with a stand-in were too slow as well.
+  /// Of a large mesh of that many. At most half as many as a stand-in had that was too slow as well, until the
+  /// whole mesh takes much less time than it took then.
   Index trianglesWanted(Index all) const;
 
  private:
@@ -44,11 +45,16 @@ class FramePace {
     std::array<double, 2> seconds_{0.0, 0.0};
   };
 
+  /// Of a frame with the whole mesh, by the slower kind.
+  double wholeSeconds() const;
+
   double secondsAllowed_;
   LastTwo still_;
   LastTwo moving_;
   LastTwo stoodIn_;
   Index standInTriangles_ = 0;
+  Index tooMany_ = 0;  ///< triangles of the last stand-in that was too slow; 0: none was
+  double wholeThen_ = 0.0;
 };
 
 }  // namespace pbffd::ui

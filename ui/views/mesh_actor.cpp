@@ -173,6 +173,13 @@ void MeshActor::showStandIn(bool shown) {
   updateActors();
 }
 
+void MeshActor::setEdgesWanted(bool wanted) {
+  if (wanted != areEdgesWanted_) {
+    areEdgesWanted_ = wanted;
+    updateActors();
+  }
+}
+
 void MeshActor::setColors(const Colors& colors) {
   colors_ = colors;
   edgeMapper_->setUniform("flatColor", colors.edges);
@@ -225,7 +232,7 @@ void MeshActor::updateActors() {
   surface_->SetVisibility(isVisible_ && !isStoodIn_ && surfaceData_->GetNumberOfPoints() > 0);
   standIn_->SetVisibility(isVisible_ && isStoodIn_);
   vertices_->SetVisibility(isVisible_ && vertexData_->GetNumberOfPoints() > 0);
-  const bool edgesSeen = isVisible_ && !isStoodIn_ && areEdgesSeen();
+  const bool edgesSeen = isVisible_ && areEdgesWanted_ && !isStoodIn_ && areEdgesSeen();
   if (edgesSeen && !hasEdges_) {
     makeEdges();
   }

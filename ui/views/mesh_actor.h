@@ -45,6 +45,8 @@ class MeshActor {
   void setStandIn(const SurfaceBuffers& buffers);
   void standInMoved();
   void showStandIn(bool shown);
+  /// Whether edges are drawn in the mode that has them.
+  void setEdgesWanted(bool wanted);
 
   struct Colors {
     Rgba surface{};
@@ -86,6 +88,7 @@ class MeshActor {
   DisplayMode mode_ = DisplayMode::wire;
   bool isVisible_ = true;
   bool hasEdges_ = false;
+  bool areEdgesWanted_ = true;
   bool isStoodIn_ = false;
   bool movedUnseen_ = false;  ///< while it was stood in for
   double pixelsPerUnitNearest_ = 0.0;

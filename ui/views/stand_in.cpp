@@ -1,7 +1,7 @@
 #include "ui/views/stand_in.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/coarse_mesh.h"
+#include "core/base/pieces.h"
 
 #include <Eigen/Geometry>
 #include <numeric>
@@ -14,11 +14,15 @@ constexpr std::size_t grain = 1024;
 
 }  // namespace
 
-StandIn::StandIn(QObject* parent) : QObject(parent) {}
+StandIn::StandIn(QObject* parent, Coarsen coarsen) : QObject(parent), coarsen_(std::move(coarsen)) {
+  connect(&jobs_, &JobRunner::failed, this, [this](const QString& message) {
+    mostTriangles_ = 0;
+    Q_EMIT failed(message);
+  });
+}
 
 /// Its vertices in the order of the slots, so that following reads memory forwards.
-StandIn::Made StandIn::make(const RestMesh& mesh, Index mostTriangles, const Progress& progress) {
-  const CoarseMesh coarse = coarseMesh(mesh, mostTriangles, progress);
+StandIn::Made StandIn::made(const CoarseMesh& coarse, const RestMesh& mesh, const Progress& progress) {
   const std::vector<Index>& order = mesh.mortonOrder();
   std::vector<Index> placeOfVertex(order.size(), -1);
   for (const Index vertex : coarse.vertices) {
@@ -26,19 +30,18 @@ StandIn::Made StandIn::make(const RestMesh& mesh, Index mostTriangles, const Pro
   }
   Made made;
   std::vector<Index> slotOfVertex(order.size());
-  for (std::size_t slot = 0; slot < order.size(); ++slot) {
-    slotOfVertex[order[slot]] = static_cast<Index>(slot);
+  forEachIn(mesh.vertexCount(), progress, [&](Index slot) {
+    slotOfVertex[order[slot]] = slot;
     if (Index& place = placeOfVertex[order[slot]]; place == 0) {
       place = static_cast<Index>(made.slots.size());
-      made.slots.push_back(static_cast<Index>(slot));
+      made.slots.push_back(slot);
     }
-  }
+  });
   made.triangles.reserve(coarse.triangles.size());
   for (const Index corner : coarse.triangles) {
     made.triangles.push_back(placeOfVertex[coarse.vertices[corner]]);
   }
-  progress.throwIfCancelled();
-  listFans(mesh.triangles().vertices, placeOfVertex, made);
+  listFans(mesh.triangles(), placeOfVertex, made, progress);
   for (Index& other : made.fans) {
     other = slotOfVertex[other];
   }
@@ -46,23 +49,27 @@ StandIn::Made StandIn::make(const RestMesh& mesh, Index mostTriangles, const Pro
 }
 
 /// By vertices of the mesh; -1 is the place of those that are not taken.
-void StandIn::listFans(const std::vector<Index>& corners, const std::vector<Index>& placeOfVertex, Made& made) {
+void StandIn::listFans(const Triangles& all, const std::vector<Index>& placeOfVertex, Made& made,
+                       const Progress& progress) {
   made.fanStart.assign(made.slots.size() + 1, 0);
-  for (const Index vertex : corners) {
-    if (const Index place = placeOfVertex[vertex]; place >= 0) {
-      made.fanStart[place + 1] += 2;
-    }
-  }
+  const auto forEachTaken = [&](const auto& body) {
+    forEachIn(all.size(), progress, [&](Index triangle) {
+      const Index* const corner = &all.vertices[3 * static_cast<std::size_t>(triangle)];
+      for (int k = 0; k < 3; ++k) {
+        if (const Index place = placeOfVertex[corner[k]]; place >= 0) {
+          body(place, corner[(k + 1) % 3], corner[(k + 2) % 3]);
+        }
+      }
+    });
+  };
+  forEachTaken([&](Index place, Index, Index) { made.fanStart[place + 1] += 2; });
   std::partial_sum(made.fanStart.begin(), made.fanStart.end(), made.fanStart.begin());
   made.fans.resize(static_cast<std::size_t>(made.fanStart.back()));
   std::vector<Index> next(made.fanStart.begin(), made.fanStart.end() - 1);
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    if (const Index place = placeOfVertex[corners[c]]; place >= 0) {
-      const std::size_t first = c / 3 * 3;
-      made.fans[next[place]++] = corners[first + (c + 1) % 3];
-      made.fans[next[place]++] = corners[first + (c + 2) % 3];
-    }
-  }
+  forEachTaken([&](Index place, Index second, Index third) {
+    made.fans[next[place]++] = second;
+    made.fans[next[place]++] = third;
+  });
 }
 
 void StandIn::build(const std::shared_ptr<const RestMesh>& mesh, Index mostTriangles) {
@@ -72,9 +79,10 @@ void StandIn::build(const std::shared_ptr<const RestMesh>& mesh, Index mostTrian
   mesh_ = mesh;
   mostTriangles_ = mostTriangles;
   jobs_.start({"stand-in", {}, [this, mesh, mostTriangles](const Progress& progress) -> JobRunner::Deliver {
-                 const auto made = std::make_shared<Made>(make(*mesh, mostTriangles, progress));
-                 return [this, made] {
-                   made_ = std::move(*made);
+                 const CoarseMesh coarse = coarsen_(*mesh, mostTriangles, progress);
+                 const auto result = std::make_shared<Made>(made(coarse, *mesh, progress));
+                 return [this, result] {
+                   made_ = std::move(*result);
                    positions_.assign(3 * made_.slots.size(), 0.0F);
                    normals_.assign(3 * made_.slots.size(), 0.0F);
                    Q_EMIT ready();

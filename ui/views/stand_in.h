@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/mesh/rest_mesh.h"
+#include "core/mesh/coarse_mesh.h"
 #include "ui/document/job_runner.h"
 #include "ui/views/mesh_actor.h"
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,15 +18,20 @@ class StandIn : public QObject {
   Q_OBJECT
 
  public:
-  explicit StandIn(QObject* parent = nullptr);
+  /// What makes the coarse mesh: another one for tests.
+  using Coarsen = std::function<CoarseMesh(const RestMesh&, Index mostTriangles, const Progress&)>;
+  explicit StandIn(QObject* parent = nullptr, Coarsen coarsen = coarseMesh);
 
-  /// Begins to build one; what is there stays until it is ready. Of the same mesh and number it is built once.
+  /// Begins to build one; what is there stays until it is ready. Of the same mesh and number it is built once,
+  /// unless that failed.
   void build(const std::shared_ptr<const RestMesh>& mesh, Index mostTriangles);
   void clear();
 
   bool isReady() const { return !made_.triangles.empty(); }
   bool isBuilding() const { return jobs_.isRunning(); }
   Index triangleCount() const { return static_cast<Index>(made_.triangles.size() / 3); }
+  /// As many as were allowed when it was built last; 0 before that.
+  Index trianglesAllowed() const { return mostTriangles_; }
 
   /// Takes its vertices from those of the whole mesh, 3 a slot.
   void follow(const std::vector<float>& positions);
@@ -33,6 +39,8 @@ class StandIn : public QObject {
 
  Q_SIGNALS:
   void ready();
+  /// It could not be built; what was there is there still.
+  void failed(const QString& message);
 
  private:
   struct Made {
@@ -43,15 +51,18 @@ class StandIn : public QObject {
     std::vector<Index> fanStart;
     std::vector<Index> fans;
   };
-  static Made make(const RestMesh& mesh, Index mostTriangles, const Progress& progress);
-  static void listFans(const std::vector<Index>& corners, const std::vector<Index>& placeOfVertex, Made& made);
+  static Made made(const CoarseMesh& coarse, const RestMesh& mesh, const Progress& progress);
+  static void listFans(const Triangles& all, const std::vector<Index>& placeOfVertex, Made& made,
+                       const Progress& progress);
 
-  JobRunner jobs_;
+  Coarsen coarsen_;
   std::shared_ptr<const RestMesh> mesh_;
   Index mostTriangles_ = 0;
   Made made_;
   std::vector<float> positions_;
   std::vector<float> normals_;
+  /// Last, so that its work ends before what the work reads is gone.
+  JobRunner jobs_;
 };
 
 }  // namespace pbffd::ui

@@ -63,9 +63,10 @@ void Viewport::connectSources() {
   });
   connect(&parts_->theme, &Theme::changed, this, [refresh] { refresh(SceneContent::everything); });
   connect(parts_->widget, &VtkWidget::aboutToRender, this, &Viewport::prepareFrame);
-  connect(parts_->widget, &VtkWidget::rendered, parts_->detail, &DragDetail::drawn);
+  connect(parts_->widget, &VtkWidget::measured, parts_->detail, &DragDetail::drawn);
   connect(parts_->widget, &VtkWidget::rendered, this, &Viewport::rendered);
   connect(parts_->detail, &DragDetail::simplifiedChanged, this, &Viewport::simplifiedChanged);
+  connect(parts_->detail, &DragDetail::failed, this, &Viewport::remarked);
   // The whole mesh again.
   connect(&document, &Document::previewEnded, this, &Viewport::requestFrame);
   connect(parts_->cameraController, &CameraController::stopped, this, &Viewport::requestFrame);
@@ -96,6 +97,7 @@ void Viewport::prepareFrame() {
   p.detail->prepare(p.scene->mesh(), p.content.surface(),
                     {p.document.isPreviewing() || p.cameraController->isMoving(), p.content.surfaceRevision(),
                      p.view.displayMode(), p.widget->size()});
+  p.widget->setMeasured(p.detail->isMeasuring());
   const Vec3& origin = p.content.origin();
   Camera camera = p.camera;
   camera.focus -= origin;
@@ -103,7 +105,7 @@ void Viewport::prepareFrame() {
   extent.center -= origin;
   const Projection projection = camera.projection(width(), height(), extent);
   p.scene->setPixelRatio(devicePixelRatioF());
-  p.scene->setSmoothing(true);
+  p.scene->setSmoothing(!p.detail->isSimplified());
   p.scene->setCamera(camera, projection);
   const Projection::Lens& lens = projection.lens();
   const double perUnit = 0.5 * height() / lens.halfHeight;

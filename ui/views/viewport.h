@@ -103,6 +103,8 @@ class Viewport : public QWidget {
   void cameraChanged();
   void rendered();
   void simplifiedChanged(bool isSimplified);
+  /// Something that the user should know about how it is drawn.
+  void remarked(const QString& message);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

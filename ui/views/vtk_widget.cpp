@@ -86,9 +86,12 @@ void VtkWidget::paintGL() {
   copyFrame();
   window_->GetState()->Pop();
   context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  // Else the time would only be that of handing the work over.
-  context()->functions()->glFinish();
-  Q_EMIT rendered(1e-9 * static_cast<double>(timer.nsecsElapsed()));
+  if (isMeasured_) {
+    // Else the time would only be that of handing the work over.
+    context()->functions()->glFinish();
+    Q_EMIT measured(1e-9 * static_cast<double>(timer.nsecsElapsed()));
+  }
+  Q_EMIT rendered();
 }
 
 void VtkWidget::copyFrame() {

@@ -21,29 +21,33 @@ class VtkWidget : public QOpenGLWidget {
   ~VtkWidget() override;
 
   vtkGenericOpenGLRenderWindow* renderWindow() const { return window_; }
+  /// From this frame on, or not: a measured frame is waited for.
+  void setMeasured(bool isMeasured) { isMeasured_ = isMeasured; }
 
  Q_SIGNALS:
   /// Right before a frame: the time to bring the scene up to date.
   void aboutToRender();
-  /// After it; `seconds`: from aboutToRender() until the graphics card was done with it.
-  void rendered(double seconds);
+  /// After a measured one; `seconds`: from aboutToRender() until the graphics card was done with it.
+  void measured(double seconds);
+  /// After every one.
+  void rendered();
 
  protected:
   void initializeGL() override;
   void resizeGL(int width, int height) override;
   void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   static void onWindowEvent(vtkObject* caller, unsigned long event, void* client, void* call);
   void releaseContext();
-  void resizeEvent(QResizeEvent* event) override;
   void copyFrame();
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkCallbackCommand> observer_;
   QMetaObject::Connection contextConnection_;
+  bool isMeasured_ = false;
+  bool isResizing_ = false;
 };
 
 }  // namespace pbffd::ui
-  bool isMeasured_ = false;
-  bool isResizing_ = false;

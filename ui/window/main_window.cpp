@@ -104,6 +104,9 @@ void MainWindow::makeCentre() {
   centre_->installEventFilter(this);
   // Not in the middle of a frame, which is when it is decided.
   connect(viewport_, &Viewport::simplifiedChanged, status_, &StatusLine::setSimplified, Qt::QueuedConnection);
+  connect(
+      viewport_, &Viewport::remarked, this, [this](const QString& text) { say(Severity::info, text); },
+      Qt::QueuedConnection);
   connect(errorBar_, &ErrorBar::sizeChanged, this, &MainWindow::arrangeErrorBar);
   connect(startPage_, &StartPage::openAsked, this, &MainWindow::openFile);
 }

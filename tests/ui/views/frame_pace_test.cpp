@@ -64,10 +64,26 @@ class FramePaceTest : public QObject {
     pace.standInDrawn(0.05, first);
     const Index second = pace.trianglesWanted(2'000'000);
     QCOMPARE(second, first / 2);
-    // The other one is judged anew.
+    // The other one is judged anew; that it is fast does not make the first one fast.
     pace.standInDrawn(0.02, second);
     pace.standInDrawn(0.02, second);
-    QVERIFY(pace.trianglesWanted(2'000'000) >= second);
+    QCOMPARE(pace.trianglesWanted(2'000'000), second);
+    pace.standInDrawn(0.05, second);
+    pace.standInDrawn(0.05, second);
+    QCOMPARE(pace.trianglesWanted(2'000'000), std::max(second / 2, 50'000));
+  }
+
+  void standInGrowsWhenTheMachineIsQuietAgain() {
+    FramePace pace;
+    pace.wholeDrawn(0.4, false);
+    pace.wholeDrawn(0.4, false);
+    const Index busy = pace.trianglesWanted(2'000'000);
+    pace.standInDrawn(0.05, busy);
+    pace.standInDrawn(0.05, busy);
+    QCOMPARE(pace.trianglesWanted(2'000'000), std::max(busy / 2, 50'000));
+    pace.wholeDrawn(0.1, false);
+    pace.wholeDrawn(0.1, false);
+    QVERIFY(pace.trianglesWanted(2'000'000) > 3 * busy);
   }
 
   void smallMeshesHaveNone() {

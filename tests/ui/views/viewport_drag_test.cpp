@@ -31,30 +31,12 @@ bool waitForStandIn(test::OpenView& open) {
 
 }  // namespace
 
-/// The coarse stand-in that is drawn while a mesh is dragged which is too slow to be drawn whole.
-class DragDetailTest : public QObject {
+/// The coarse stand-in that is drawn while a mesh is dragged which is too slow to be drawn whole, in the view.
+/// When there is one and how fine it is: drag_detail_test.cpp.
+class ViewportDragTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void fastMeshesAreDrawnWhole() {
-    test::OpenView open(pbffd::test::sphere(200, 300), {{0, 0, 1}});
-    open.viewport.setFrameBudget(1e9);
-    drawAWhile(open);
-    QVERIFY(open.document.preview(moveBy(Vec3(0.2, 0, 0))));
-    open.frame();
-    QVERIFY(!open.viewport.isSimplified());
-  }
-
-  void smallMeshesAreDrawnWholeHoweverSlow() {
-    test::OpenView open(pbffd::test::sphere(64, 128), {{0, 0, 1}});
-    open.viewport.setFrameBudget(0.0);
-    drawAWhile(open);
-    QVERIFY(!QTest::qWaitFor([&] { return open.viewport.canSimplify(); }, 500));
-    QVERIFY(open.document.preview(moveBy(Vec3(0.2, 0, 0))));
-    open.frame();
-    QVERIFY(!open.viewport.isSimplified());
-  }
-
   void slowMeshesAreStoodInForUntilRelease() {
     test::OpenView open(pbffd::test::sphere(200, 300), {{0, 0, 1}});
     QSignalSpy changes(&open.viewport, &Viewport::simplifiedChanged);
@@ -151,9 +133,9 @@ class DragDetailTest : public QObject {
     QVERIFY(open.viewport.isSimplified());
   }
 
-  void millionsOfTrianglesAreDraggedByWhatFramesTake() {
-    // Decided by what this machine measures; two million triangles are too many for none or for a slow one.
-    test::OpenView open(pbffd::test::sphere(708, 1416), {{0, 0, 1}}, 0.6);
+  void manyTrianglesAreDraggedByWhatFramesTake() {
+    // Decided by what this machine measures: where a processor draws, 600,000 triangles are too many.
+    test::OpenView open(pbffd::test::sphere(390, 780), {{0, 0, 1}}, 0.6);
     QVERIFY(open.isReady());
     QElapsedTimer timer;
     double whole = 1e9;
@@ -171,7 +153,7 @@ class DragDetailTest : public QObject {
       open.frame();
       dragged = std::min(dragged, 1e-9 * static_cast<double>(timer.nsecsElapsed()));
     }
-    qInfo("two million triangles: %.1f ms a frame at rest, %.1f ms in a drag, %s", 1e3 * whole, 1e3 * dragged,
+    qInfo("600,000 triangles: %.1f ms a frame at rest, %.1f ms in a drag, %s", 1e3 * whole, 1e3 * dragged,
           open.viewport.isSimplified() ? "simplified" : "whole");
     // open.frame() draws once for the event loop and once for the picture.
     QVERIFY(isSlow || whole < 2.5 / 30.0);
@@ -185,8 +167,8 @@ class DragDetailTest : public QObject {
   }
 };
 
-const pbffd::test::Registration<DragDetailTest> registration;
+const pbffd::test::Registration<ViewportDragTest> registration;
 
 }  // namespace pbffd::ui
 
-#include "drag_detail_test.moc"
+#include "viewport_drag_test.moc"

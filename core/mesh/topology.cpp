@@ -11,21 +11,15 @@
 namespace pbffd {
 namespace {
 
-/// Silences OpenMesh, which reports on the error stream every face that it cannot hold.
-class Silence {
- public:
-  Silence() : wasEnabled_(omerr().is_enabled()) { omerr().disable(); }
-  ~Silence() {
-    if (wasEnabled_) {
-      omerr().enable();
-    }
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  bool wasEnabled_;
-};
+/// Silences OpenMesh, which reports on the error stream every face that it cannot hold. Once and for good: its
+/// stream is one for all threads.
+void silenceOpenMesh() {
+  static const bool isSilent = [] {
+    omerr().disable();
+    return true;
+  }();
+  static_cast<void>(isSilent);
+}
 
 /// Half-edges of every face. A half-edge mesh cannot hold all meshes (edges of three faces, fans that meet
 /// in one vertex, faces turned over): such a face gets vertices of its own, and `original` tells whose they
@@ -38,7 +32,7 @@ class HalfEdges {
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
       addVertex(v);
     }
-    const Silence silence;
+    silenceOpenMesh();
     for (Index f = 0; f < mesh.faces.size(); ++f) {
       addFace(mesh.faces[f]);
     }
@@ -106,35 +100,47 @@ class Sets {
   std::vector<Index> parent_;
 };
 
-/// An edge of the mesh and how many faces it has.
-struct EdgeUse {
-  Index a;
-  Index b;
-  int faces;
-};
+/// The edges of the mesh, read off its half-edges.
+class Edges {
+ public:
+  explicit Edges(const HalfEdges& halfEdges) : halfEdges_(halfEdges) {
+    forEachOfKernel([&](Index a, Index b, int faces) {
+      if (isCopied(a, b)) {
+        copied_[{a, b}] += faces;
+      }
+    });
+  }
 
-std::vector<EdgeUse> edgesOf(const HalfEdges& halfEdges) {
-  const auto& kernel = halfEdges.kernel();
-  std::vector<EdgeUse> edges;
-  edges.reserve(kernel.n_edges());
-  std::map<std::pair<Index, Index>, int> copied;
-  for (const auto edge : kernel.edges()) {
-    const auto half = kernel.halfedge_handle(edge, 0);
-    const Index from = halfEdges.original(kernel.from_vertex_handle(half));
-    const Index to = halfEdges.original(kernel.to_vertex_handle(half));
-    const auto [a, b] = std::minmax(from, to);
-    const int faces = kernel.is_boundary(edge) ? 1 : 2;
-    if (halfEdges.isCopied(a) && halfEdges.isCopied(b)) {
-      copied[{a, b}] += faces;
-    } else {
-      edges.push_back({a, b, faces});
+  /// Calls visit(a, b, faces) once for each edge, a <= b, with how many faces it has.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    forEachOfKernel([&](Index a, Index b, int faces) {
+      if (!isCopied(a, b)) {
+        visit(a, b, faces);
+      }
+    });
+    for (const auto& [ends, faces] : copied_) {
+      visit(ends.first, ends.second, faces);
     }
   }
-  for (const auto& [ends, faces] : copied) {
-    edges.push_back({ends.first, ends.second, faces});
+
+ private:
+  bool isCopied(Index a, Index b) const { return halfEdges_.isCopied(a) && halfEdges_.isCopied(b); }
+
+  template <class Visit>
+  void forEachOfKernel(const Visit& visit) const {
+    const auto& kernel = halfEdges_.kernel();
+    for (const auto edge : kernel.edges()) {
+      const auto half = kernel.halfedge_handle(edge, 0);
+      const Index from = halfEdges_.original(kernel.from_vertex_handle(half));
+      const Index to = halfEdges_.original(kernel.to_vertex_handle(half));
+      visit(std::min(from, to), std::max(from, to), kernel.is_boundary(edge) ? 1 : 2);
+    }
   }
-  return edges;
-}
+
+  const HalfEdges& halfEdges_;
+  std::map<std::pair<Index, Index>, int> copied_;  ///< the faces of edges between vertices that have copies
+};
 
 /// Numbers the components by their lowest vertex; -1 for isolated vertices.
 std::vector<Index> numberComponents(const Mesh& mesh, Sets& sets, Index& count) {
@@ -159,28 +165,28 @@ std::vector<Index> numberComponents(const Mesh& mesh, Sets& sets, Index& count) 
 
 Topology topologyOf(const Mesh& mesh) {
   const HalfEdges halfEdges(mesh);
-  const std::vector<EdgeUse> edges = edgesOf(halfEdges);
+  const Edges edges(halfEdges);
   Sets sets(mesh.vertexCount());
-  for (const EdgeUse& edge : edges) {
-    sets.join(edge.a, edge.b);
-  }
+  edges.forEach([&](Index a, Index b, int) { sets.join(a, b); });
   Topology topology;
   const std::vector<Index> component = numberComponents(mesh, sets, topology.components);
   topology.isolatedVertices = static_cast<Index>(std::count(component.begin(), component.end(), -1));
   topology.isComponentClosed.assign(static_cast<std::size_t>(topology.components), true);
-  for (const EdgeUse& edge : edges) {
-    topology.boundaryEdges += edge.faces == 1;
-    topology.nonmanifoldEdges += edge.faces > 2;
-    if (edge.faces != 2) {
-      topology.isComponentClosed[component[edge.a]] = false;
+  bool hasEdges = false;
+  edges.forEach([&](Index a, Index, int faces) {
+    hasEdges = true;
+    topology.boundaryEdges += faces == 1;
+    topology.nonmanifoldEdges += faces > 2;
+    if (faces != 2) {
+      topology.isComponentClosed[component[a]] = false;
     }
-  }
+  });
   topology.componentOfFace.reserve(static_cast<std::size_t>(mesh.faces.size()));
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto face = mesh.faces[f];
     topology.componentOfFace.push_back(face.empty() ? -1 : component[face[0]]);
   }
-  topology.isClosed = !edges.empty() && topology.boundaryEdges == 0 && topology.nonmanifoldEdges == 0;
+  topology.isClosed = hasEdges && topology.boundaryEdges == 0 && topology.nonmanifoldEdges == 0;
   return topology;
 }
 

@@ -1,6 +1,6 @@
 #include "core/base/text.h"
 #include "core/ffd/levels/hierarchy.h"
-#include "core/ffd/placement/placement.h"
+#include "core/ffd/placement/placement_cache.h"
 #include "core/project/edit_functions.h"
 #include "core/project/edit_survivors.h"
 #include "core/project/symmetric_points.h"
@@ -18,10 +18,9 @@ void requireUsable(const Place& edit) {
 PlacementResult place(const EditScope& scope, const Place& edit) {
   const auto placed = [&](const PlacementOptions& options) {
     PlacementResult result =
-        placeControlPoints(scope.before.mesh, options, scope.progress, scope.workspace.placement);
-    if (!scope.workspace.keepsPlacement) {
-      result.cache.reset();
-    }
+        scope.workspace.keepsPlacement
+            ? placeControlPoints(scope.before.mesh, options, scope.progress, scope.workspace.placement)
+            : placeControlPointsOnce(scope.before.mesh, options, scope.progress);
     scope.workspace.placement = result.cache;
     return result;
   };

@@ -45,6 +45,15 @@ void requireUsableSize(const Points& surface) {
   }
 }
 
+bool haveCorners(const Polygons& faces) {
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (faces[f].size() >= 3) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool hasArea(const RestMesh& mesh) {
   const std::vector<Index>& corners = mesh.triangles().vertices;
   for (std::size_t t = 0; t < corners.size(); t += 3) {
@@ -59,13 +68,15 @@ bool hasArea(const RestMesh& mesh) {
 }  // namespace
 
 void requirePlaceable(const RestMesh& mesh) {
-  if (mesh.mesh().faces.empty() || mesh.triangles().size() == 0) {
+  if (!haveCorners(mesh.mesh().faces)) {
     throw InvalidInput(
         format("{}the mesh has {} vertices, but no faces that span a surface. Take a mesh with faces; if it "
                "should have some, export it again.",
                notPlaced, mesh.vertexCount()));
   }
   requireFinite(mesh);
+  // Nothing takes more memory while it is made: it comes before the triangles, which are kept.
+  static_cast<void>(mesh.topology());
   const Points surface = positionsOfFaces(mesh.mesh());
   requireUsableSize(surface);
   const Vec3 spread = spreadOf(surface);
@@ -204,28 +215,55 @@ std::vector<std::string> remarksOn(const Places& places, const PlacementCache& c
   return remarks;
 }
 
+/// The points with their regions as placement leaves them, before coverage grows them; all but the cache.
+struct Placed {
+  PlacementResult result;
+  std::vector<ControlPoint> points;
+};
+
+Placed placedFrom(const PlacementCache& cache, const PlacementOptions& options, const Progress& progress) {
+  Placed placed;
+  placed.result.master = makeMaster(*cache.mesh, options.master, options.masterMode);
+  placed.result.wanted = options.points;
+  placed.result.asClosed = cache.parts->countOf(true) > 0;
+  const Places places = choosePlaces(cache, options, progress);
+  placed.points = pointsAt(places, options, cache.parts->diagonal());
+  placed.result.remarks = remarksOn(places, cache, options);
+  return placed;
+}
+
+PlacementResult covered(Placed placed, const RestMesh& mesh, const Progress& progress) {
+  progress.report("Placing points: regions");
+  growCoverage(placed.points, mesh, progress);
+  for (ControlPoint& point : placed.points) {
+    placed.result.finest.append(std::move(point));
+  }
+  return std::move(placed.result);
+}
+
+void requirePlaceable(const RestMesh& mesh, const PlacementOptions& options, const Progress& progress) {
+  requireValid(options);
+  progress.throwIfCancelled();
+  requirePlaceable(mesh);
+}
+
 }  // namespace
 
 PlacementResult placeControlPoints(const std::shared_ptr<const RestMesh>& mesh, const PlacementOptions& options,
                                    const Progress& progress,
                                    const std::shared_ptr<const PlacementCache>& before) {
-  requireValid(options);
-  progress.throwIfCancelled();
-  requirePlaceable(*mesh);
-  PlacementResult result;
-  result.cache = PlacementCache::make(mesh, options, progress, before.get());
-  result.master = makeMaster(*mesh, options.master, options.masterMode);
-  result.wanted = options.points;
-  result.asClosed = result.cache->parts->countOf(true) > 0;
-  const Places places = choosePlaces(*result.cache, options, progress);
-  std::vector<ControlPoint> points = pointsAt(places, options, result.cache->parts->diagonal());
-  progress.report("Placing points: regions");
-  growCoverage(points, *mesh, progress);
-  for (ControlPoint& point : points) {
-    result.finest.append(std::move(point));
-  }
-  result.remarks = remarksOn(places, *result.cache, options);
+  requirePlaceable(*mesh, options, progress);
+  auto cache = PlacementCache::make(mesh, options, progress, before.get());
+  PlacementResult result = covered(placedFrom(*cache, options, progress), *mesh, progress);
+  result.cache = std::move(cache);
   return result;
+}
+
+PlacementResult placeControlPointsOnce(const std::shared_ptr<const RestMesh>& mesh,
+                                       const PlacementOptions& options, const Progress& progress) {
+  requirePlaceable(*mesh, options, progress);
+  Placed placed = placedFrom(*PlacementCache::make(mesh, options, progress, nullptr), options, progress);
+  return covered(std::move(placed), *mesh, progress);
 }
 
 }  // namespace pbffd

@@ -42,4 +42,8 @@ class PlacementCache {
                                                     const PlacementCache* before);
 };
 
+/// placeControlPoints() for who places once: the result has no cache, which is let go as soon as it has served.
+PlacementResult placeControlPointsOnce(const std::shared_ptr<const RestMesh>& mesh,
+                                       const PlacementOptions& options, const Progress& progress = {});
+
 }  // namespace pbffd

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/mesh/io/mesh_io.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,19 +28,29 @@ std::string jsonText(const Measurements& m) {
                   {"seconds",
                    {{"qhull", orNull(m.qhull)},
                     {"assemble", m.assemble},
-                    {"parameterize", m.parameterize},
+                    {"parameterize", m.parameterize().seconds},
                     {"deform_all", m.deformAll},
                     {"deform_one", m.deformOne},
                     {"eigen_eq7", m.eigenEq7},
-                    {"triad_bytes_per_second", m.triadBytesPerSecond},
+                    {"triad_bytes_per_second", m.triad.bytesPerSecond},
                     {"assemble_10000_points", m.assembleMany},
-                    {"parameterize_brute_force", m.bruteForce}}},
+                    {"parameterize_brute_force", m.parameterize().bruteForce},
+                    {"parameterize_connected", m.connected.seconds},
+                    {"parameterize_connected_brute_force", m.connected.bruteForce},
+                    {"parameterize_all", m.all.seconds},
+                    {"parameterize_all_brute_force", m.all.bruteForce}}},
                   {"ratios",
                    {{"assemble_qhull", orNull(m.timesQhull(m.assemble))},
                     {"deform_bandwidth", m.deformBandwidth()},
-                    {"parameterize_qhull", orNull(m.timesQhull(m.parameterize))},
+                    {"parameterize_qhull", orNull(m.timesQhull(m.parameterize().seconds))},
                     {"assemble_10000_points", m.assembleMany / m.assemble},
-                    {"brute_force_parameterize", m.bruteForce / m.parameterize}}}};
+                    {"brute_force_parameterize", m.parameterize().bruteForce / m.parameterize().seconds},
+                    {"brute_force_parameterize_connected", m.connected.bruteForce / m.connected.seconds},
+                    {"brute_force_parameterize_all", m.all.bruteForce / m.all.seconds}}},
+                  {"assemble_10000_points_placed", m.manyPlaced},
+                  {"brute_force_difference", std::max(m.connected.difference, m.all.difference)},
+                  {"triad_bytes_of_array", m.triad.bytesOfArray},
+                  {"last_level_cache_bytes", m.triad.lastLevelCache}};
   return json.dump() + "\n";
 }
 
@@ -54,6 +65,22 @@ std::string qhullRow(const Measurements& m) {
                           label, "none");
 }
 
+std::string parameterizeRows(std::string_view reach, const ParameterizeTimes& times, std::string_view remark) {
+  return row(format("Parameterize, reach {}", reach), times.seconds, remark) +
+         row("  every vertex and every point", times.bruteForce,
+             format("{:.1f} x as long, the same weights to {:.0e}", times.bruteForce / times.seconds,
+                    times.difference));
+}
+
+std::string triadText(const Triad& triad) {
+  const auto mebibytes = [](std::size_t bytes) { return bytes >> 20U; };
+  return format("Bandwidth: {:.1f} GB/s, the triad over three arrays of {} MiB", 1e-9 * triad.bytesPerSecond,
+                mebibytes(triad.bytesOfArray)) +
+         (triad.lastLevelCache == 0
+              ? std::string(".\n")
+              : format("; the last cache has {} MiB.\n", mebibytes(triad.lastLevelCache)));
+}
+
 std::string tableText(const BenchCommand& command, const Measurements& m) {
   const auto byQhull = [&](double seconds, int digits) {
     return m.qhull ? format("{:.{}f} x Qhull", *m.timesQhull(seconds), digits) : std::string();
@@ -62,16 +89,15 @@ std::string tableText(const BenchCommand& command, const Measurements& m) {
                 grouped(m.vertices), grouped(m.points), m.influences, threadCount()) +
          qhullRow(m) + row("Assemble the control points", m.assemble, byQhull(m.assemble, 2)) +
          row("Assemble 10,000 points", m.assembleMany,
-             format("{:.1f} x as long", m.assembleMany / m.assemble)) +
-         row("Parameterize the mesh", m.parameterize, byQhull(m.parameterize, 4)) +
-         row("Every vertex and every point", m.bruteForce,
-             format("parameterizing is {:.1f} x faster", m.bruteForce / m.parameterize)) +
+             format("{:.1f} x as long; {} found room", m.assembleMany / m.assemble, grouped(m.manyPlaced))) +
+         parameterizeRows("connected", m.connected, byQhull(m.connected.seconds, 4)) +
+         parameterizeRows("all", m.all, byQhull(m.all.seconds, 4)) +
          row("Deform, all points moved", m.deformAll,
-             format("{:.2f} of the memory's bandwidth ({:.1f} GB/s)", m.deformBandwidth(),
-                    1e-9 * m.triadBytesPerSecond)) +
+             format("{:.2f} of the memory's bandwidth", m.deformBandwidth())) +
          row("Deform, one point moved", m.deformOne, format("{:.1f} x faster", m.deformAll / m.deformOne)) +
          row("Eq. (7) in sparse matrices", m.eigenEq7,
-             format("one thread; the deformation is {:.1f} x faster", m.eigenEq7 / m.deformAll));
+             format("one thread; the deformation is {:.1f} x faster", m.eigenEq7 / m.deformAll)) +
+         triadText(m.triad);
 }
 
 void bench(const BenchCommand& command, const Progress& progress) {

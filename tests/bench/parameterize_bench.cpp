@@ -1,4 +1,5 @@
-#include "core/base/parallel.h"
+#include "app/yardsticks/brute_force.h"
+#include "app/yardsticks/median.h"
 #include "tests/bench/scene.h"
 
 #include <benchmark/benchmark.h>
@@ -25,29 +26,26 @@ void parameterizeConnected(benchmark::State& state) {
 }
 BENCHMARK(parameterizeConnected)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Every vertex against every control point, on the same threads, without keeping anything but sums.
-void parameterizeByBruteForce(benchmark::State& state) {
-  const Scene& scene = theScene();
-  std::vector<Region> regions;
-  for (const ControlPoint& point : scene.set.finest()) {
-    regions.emplace_back(point.rest);
-  }
-  std::vector<double> sums(static_cast<std::size_t>(scene.mesh->vertexCount()));
+/// Counted beside it: how many times longer it takes than parameterize(), by medians of one kind, and by how
+/// much the weights of the two differ at most.
+void bruteForce(benchmark::State& state, Reach reach) {
+  Scene& scene = theScene();
+  scene.setReach(reach);
+  const ControlSet& set = scene.set;
+  const auto run = [&] {
+    return reach == Reach::all ? weightsByBruteForce(*scene.mesh, set.basis, set.master, set.finest())
+                               : weightsByWalking(*scene.mesh, set.basis, set.master, set.finest());
+  };
+  state.counters["difference"] = greatestDifference(run(), scene.weights(), *scene.mesh);
   for (auto _ : state) {
-    parallelFor(sums.size(), 4096, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        const Vec3 vertex = scene.mesh->positions().row(static_cast<Eigen::Index>(v));
-        double sum = scene.set.master.value;
-        for (const Region& region : regions) {
-          sum += basisValue(scene.set.basis, region.squaredDistance(vertex));
-        }
-        sums[v] = sum;
-      }
-    });
-    benchmark::ClobberMemory();
+    benchmark::DoNotOptimize(run());
   }
+  Parameterization weights;
+  const double seconds = medianSeconds([&] { weights = scene.weights(); });
+  state.counters["times_longer"] = medianSeconds([&] { run(); }) / seconds;
 }
-BENCHMARK(parameterizeByBruteForce)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(bruteForce, all, Reach::all)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(bruteForce, connected, Reach::connected)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void weightsOfFreePoints(benchmark::State& state) {
   Scene& scene = theScene();

@@ -1,3 +1,4 @@
+#include "app/yardsticks/median.h"
 #include "tests/bench/scene.h"
 
 #include <benchmark/benchmark.h>
@@ -8,16 +9,20 @@
 #include <vtkPoints.h>
 #include <vtkThinPlateSplineTransform.h>
 
+#include <functional>
+
 // What others do for the same mesh, in the same run: how many times slower than a full pass they are is counted
 // beside their times.
 
 namespace pbffd::bench {
 namespace {
 
-void countTimesSlower(benchmark::State& state, bool turned) {
-  state.counters["times_slower"] =
-      benchmark::Counter(fullPassSeconds(theScene(), turned) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+void measure(benchmark::State& state, const std::function<void()>& work) {
+  for (auto _ : state) {
+    work();
+    benchmark::ClobberMemory();
+  }
+  state.counters["times_slower"] = medianSeconds(work) / fullPassSeconds(theScene(), true);
 }
 
 /// McDonnell & Qin, eq. (7) by the letter, V = WP + DA, sparse and in double precision, on one thread.
@@ -50,12 +55,10 @@ void eigenEquationSeven(benchmark::State& state) {
   const Eigen::MatrixXd p = Eigen::MatrixXd::Random(count, 3);
   const Eigen::MatrixXd a = Eigen::MatrixXd::Random(3 * count, 3);
   Eigen::MatrixXd v(vertices.rows(), 3);
-  for (auto _ : state) {
+  measure(state, [&] {
     v.noalias() = w * p;
     v.noalias() += d * a;
-    benchmark::ClobberMemory();
-  }
-  countTimesSlower(state, true);
+  });
 }
 BENCHMARK(eigenEquationSeven)->Unit(benchmark::kMillisecond)->UseRealTime();
 
@@ -80,12 +83,11 @@ void vtkThinPlateSpline(benchmark::State& state) {
     const Vec3 position = scene.mesh->positions().row(v);
     vertices->InsertNextPoint(position.data());
   }
-  for (auto _ : state) {
+  measure(state, [&] {
     vtkNew<vtkPoints> moved;
     spline->TransformPoints(vertices, moved);
     benchmark::DoNotOptimize(moved->GetPoint(0));
-  }
-  countTimesSlower(state, true);
+  });
 }
 BENCHMARK(vtkThinPlateSpline)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -1,12 +1,11 @@
 #include "tests/bench/scene.h"
 
-#include "core/base/parallel.h"
+#include "app/yardsticks/median.h"
 #include "core/mesh/io/mesh_io.h"
 #include "tests/support/shapes.h"
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -128,33 +127,17 @@ LevelMaps movedMaps(const Scene& scene, bool turned, double amount) {
 double fullPassSeconds(Scene& scene, bool turned) {
   LiveDeformation live(scene.mesh, sharedWeights(scene));
   const LevelMaps maps[2] = {movedMaps(scene, turned, 0.1), movedMaps(scene, turned, 0.2)};
-  std::vector<double> seconds;
-  for (int i = 0; i < 51; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    live.updatePositions(maps[i % 2]);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::nth_element(seconds.begin(), seconds.begin() + 25, seconds.end());
-  return seconds[25];
+  int turn = 0;
+  return medianSeconds([&] { live.updatePositions(maps[turn ^= 1]); });
 }
 
 Mesh growingMesh() {
   return test::triangulated(meshFile().empty() ? test::sphere(160, 320) : readMesh(meshFile()));
 }
 
-double triadBytesPerSecond() {
-  constexpr std::size_t count = std::size_t{1} << 24;
-  static LargeArray<float> a(count, 0.0F);
-  static LargeArray<float> b(count, 1.0F);
-  static LargeArray<float> c(count, 2.0F);
-  const auto start = std::chrono::steady_clock::now();
-  parallelFor(count, count / 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      a[i] = b[i] + 3.0F * c[i];
-    }
-  });
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return 3.0 * sizeof(float) * count / seconds.count();
+const Triad& theTriad() {
+  static const Triad triad = measureTriad();
+  return triad;
 }
 
 }  // namespace pbffd::bench

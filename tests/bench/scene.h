@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/yardsticks/triad.h"
 #include "core/ffd/deform/deformation.h"
 
 #include <memory>
@@ -37,7 +38,7 @@ LevelMaps movedMaps(const Scene& scene, bool turned, double amount);
 /// Of a full pass over the positions after all points moved: the median of some.
 double fullPassSeconds(Scene& scene, bool turned);
 
-/// Bytes a second of STREAM's triad, a = b + s c, on all cores, with arrays far larger than the caches.
-double triadBytesPerSecond();
+/// Of this run, measured when first asked for.
+const Triad& theTriad();
 
 }  // namespace pbffd::bench

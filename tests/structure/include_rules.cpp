@@ -49,7 +49,8 @@ const std::vector<Layer>& layers() {
       {"ui/window", uiAll},
       {"app/dataset", core},
       {"app/apply_mpi", joined(core, {"app/dataset"})},
-      {"app/cli", joined(core, {"app/dataset"})},
+      {"app/yardsticks", weighted},
+      {"app/cli", joined(core, {"app/dataset", "app/yardsticks"})},
       {"app/workbench", joined(uiAll, {"ui/window", "app/dataset"})},
   };
   return all;

@@ -19,12 +19,17 @@ class BenchTest : public QObject {
     QCOMPARE(json["vertices"].toInt(), test::cylinder().vertexCount());
     const QJsonObject seconds = json["seconds"].toObject();
     for (const char* key : {"qhull", "assemble", "parameterize", "deform_all", "deform_one", "eigen_eq7",
-                            "assemble_10000_points", "parameterize_brute_force", "triad_bytes_per_second"}) {
+                            "assemble_10000_points", "parameterize_brute_force", "parameterize_connected",
+                            "parameterize_connected_brute_force", "parameterize_all",
+                            "parameterize_all_brute_force", "triad_bytes_per_second"}) {
       QVERIFY2(seconds[key].toDouble() > 0.0, key);
     }
     const QJsonObject ratios = json["ratios"].toObject();
     QCOMPARE(ratios["assemble_qhull"].toDouble(), seconds["assemble"].toDouble() / seconds["qhull"].toDouble());
     QVERIFY(ratios["deform_bandwidth"].toDouble() > 0.0);
+    QVERIFY(json["brute_force_difference"].toDouble() < 1e-6);
+    QVERIFY(json["assemble_10000_points_placed"].toInt() > 0);
+    QVERIFY(json["triad_bytes_of_array"].toDouble() >= 64 << 20);
   }
 
   void flatSheetHasNoDiagram() {
@@ -38,6 +43,8 @@ class BenchTest : public QObject {
     QVERIFY(result.json()["ratios"].toObject()["assemble_qhull"].isNull());
     const auto text = test::runPbffd({"bench", mesh, "--points", "20"});
     QVERIFY2(text.output.contains("the vertices lie in a plane"), text.output);
+    QVERIFY2(text.output.contains("found room"), text.output);
+    QVERIFY2(text.output.contains("Parameterize, reach connected"), text.output);
   }
 
   void meshThatCannotBePlacedIsNamed() {

@@ -11,7 +11,8 @@ target_include_directories(pbffd_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(pbffd_options INTERFACE QT_NO_KEYWORDS PBFFD_VERSION="${PROJECT_VERSION}")
 
 if(PBFFD_SANITIZE)
-  target_compile_options(pbffd_options INTERFACE -fsanitize=${PBFFD_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_options(pbffd_options INTERFACE -fsanitize=${PBFFD_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   target_link_options(pbffd_options INTERFACE -fsanitize=${PBFFD_SANITIZE})
 endif()
 

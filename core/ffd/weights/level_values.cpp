@@ -33,7 +33,8 @@ void BlockValues::evaluate(Index block, const BlockList& list) {
     const Index j = list.points[e];
     influences_.push_back({values_->region(j).numbers(), radial, values_->strength(j), list.members[e]});
   }
-  entries_.resize(std::max(entries_.size(), influences_.size()));
+  // One at least, so that there is memory to name where the list is empty.
+  entries_.resize(std::max({entries_.size(), influences_.size(), std::size_t{1}}));
   Lanes total{};
   blockKernels().memberValues(blocks_->numbers(block), influences_.data(), influences_.size(),
                               entries_.data()->data(), total.data());

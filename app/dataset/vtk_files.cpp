@@ -63,9 +63,15 @@ VtkFile read(Reader& reader, const std::filesystem::path& path, const Progress& 
 
 template <class Reader>
 VtkFile readXml(const std::filesystem::path& path, const Progress& progress) {
+  const XmlSettings settings = xmlSettingsOf(path);
+  // VTK 9.1 believes it, and crashes.
+  if (!settings.badCount.empty()) {
+    throw InvalidInput(format("Could not read {}: its first piece says {}. The file is damaged; write it anew.",
+                              path.string(), settings.badCount));
+  }
   const vtkNew<Reader> reader;
   VtkFile file = read(*reader, path, progress);
-  file.xml = xmlSettingsOf(path);
+  file.xml = settings;
   return file;
 }
 

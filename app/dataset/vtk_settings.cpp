@@ -30,6 +30,16 @@ std::vector<XmlTag> tagsThrough(const std::string& text, std::string_view last) 
   }
 }
 
+/// Empty where no number of points, cells, ... is below 0.
+std::string negativeCount(const XmlTag& piece) {
+  for (const XmlTag::Attribute& attribute : piece.attributes) {
+    if (attribute.name.starts_with("NumberOf") && attribute.value.find('-') != std::string::npos) {
+      return attribute.name + "=\"" + attribute.value + "\"";
+    }
+  }
+  return {};
+}
+
 /// The tags through the first array of the first piece, which data of the file itself may stand before.
 std::vector<XmlTag> pieceBeginning(const std::string& text) {
   std::vector<XmlTag> tags = tagsThrough(text, "Piece");
@@ -57,6 +67,8 @@ XmlSettings xmlSettingsOf(const std::filesystem::path& path) {
       settings.byteOrder = tag.value("byte_order");
       settings.headerType = tag.value("header_type");
       settings.compressor = tag.value("compressor");
+    } else if (tag.name == "Piece" && !tag.isEnd) {
+      settings.badCount = negativeCount(tag);
     }
   }
   settings.format = tags.empty() ? std::string() : tags.back().value("format");

@@ -12,6 +12,7 @@ struct XmlSettings {
   std::string compressor;  ///< VTK's class name; empty: none
   std::string format;      ///< of the arrays: "ascii", "binary", "appended"
   std::string encoding;    ///< of appended data: "raw", "base64"
+  std::string badCount;    ///< a number of the first piece's parts that is below 0, as it stands there
 };
 
 /// The settings of the first array of a file's first piece. What cannot be read is left empty: the reader will

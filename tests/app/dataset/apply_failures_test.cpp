@@ -70,6 +70,8 @@ class ApplyFailuresTest : public QObject {
     row("cut short, legacy", "short.vtk", "b.vtk", "", "short.vtk: Error reading");
     row("points of no known type", "typeless.vtu", "b.vtu", "", "typeless.vtu");
     row("more points than bytes", "many.vtu", "b.vtu", "", "many.vtu: its header promises");
+    row("fewer cells than none", "negative.vtu", "b.vtu", "",
+        "negative.vtu: its first piece says NumberOfCells");
     row("a malformed header", "malformed.vtu", "b.vtu", "", "malformed.vtu");
     row("not VTK", "words.vtu", "b.vtu", "", "words.vtu");
     row("not legacy VTK", "words.vtk", "b.vtk", "", "words.vtk");
@@ -180,6 +182,9 @@ class ApplyFailuresTest : public QObject {
     std::string many = good;
     many.replace(many.find("NumberOfPoints=\"216\""), 20, "NumberOfPoints=\"9223372036854775807\"");
     put("many.vtu", many);
+    std::string negative = good;
+    negative.replace(negative.find("NumberOfCells=\"125\""), 19, "NumberOfCells=\"-25\"");
+    put("negative.vtu", negative);
     std::string malformed = good;
     malformed.replace(malformed.find("Name=\"types\""), 12, "Name=types  ");
     put("malformed.vtu", malformed);

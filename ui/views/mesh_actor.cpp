@@ -18,9 +18,8 @@
 namespace pbffd::ui {
 namespace {
 
-/// Where edges are no longer than this many pixels where they are nearest, they have as good as faded out (see
-/// the shader), and are not drawn at all.
-constexpr double leastEdgePixels = 2.0;
+/// Where no edge is longer than this many pixels all of them have faded out, and are not drawn at all.
+constexpr double leastEdgePixels = 1.0;
 constexpr double vertexPixels = 3.0;
 
 /// The mean length of some of the edges; longest sides count, since they fade last.

@@ -72,6 +72,7 @@ void RawFile::read(std::uint64_t at, std::span<char> bytes) const {
 }
 
 void RawFile::write(std::uint64_t at, std::string_view bytes) {
+  const std::uint64_t begin = at;
   while (!bytes.empty()) {
     const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (count < 0 && errno == EINTR) {
@@ -83,6 +84,7 @@ void RawFile::write(std::uint64_t at, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(count));
     at += static_cast<std::uint64_t>(count);
   }
+  beginWriting(begin, at - begin);
 }
 
 void RawFile::copyWhole(const std::filesystem::path& source, const std::filesystem::path& path,
@@ -90,6 +92,11 @@ void RawFile::copyWhole(const std::filesystem::path& source, const std::filesyst
   RawFile out = forWriting(path, name);
   out.copy(forReading(source), 0, std::filesystem::file_size(source), 0, progress);
   out.close();
+}
+
+void RawFile::beginWriting(std::uint64_t at, std::uint64_t bytes) const {
+  // Where that is not possible the disk begins when it likes.
+  ::sync_file_range(descriptor_, static_cast<off_t>(at), static_cast<off_t>(bytes), SYNC_FILE_RANGE_WRITE);
 }
 
 bool RawFile::copyInKernel(const RawFile& source, std::uint64_t from, std::uint64_t at, std::uint64_t bytes) {
@@ -124,6 +131,8 @@ void RawFile::copy(const RawFile& source, std::uint64_t from, std::uint64_t end,
       buffer.resize(bytes);
       source.read(from, buffer);
       write(at, {buffer.data(), buffer.size()});
+    } else {
+      beginWriting(at, bytes);
     }
   }
 }

@@ -37,6 +37,8 @@ class RawFile {
 
  private:
   RawFile(int descriptor, std::filesystem::path name) : descriptor_(descriptor), name_(std::move(name)) {}
+  /// Lets the disk begin with these bytes, so that less is left to wait for at the end.
+  void beginWriting(std::uint64_t at, std::uint64_t bytes) const;
   bool copyInKernel(const RawFile& source, std::uint64_t from, std::uint64_t at, std::uint64_t bytes);
 
   int descriptor_;

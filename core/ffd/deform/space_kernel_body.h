@@ -9,6 +9,7 @@ namespace pbffd {
 /// BlockBody.
 template <class Here>
 struct SpaceBody {
+  using Block = BlockBody<Here>;
   using Slopes = BasisSlopeBody<Here>;
 
   /// The row of a matrix, column after column, times a vector: the order of Displacement and Region.
@@ -84,47 +85,64 @@ struct SpaceBody {
     }
   }
 
-  static void radialSlopes(const RadialNumbers& radial, const double* uSquared, double* __restrict__ slopes) {
+  /// Calls visit(slope), slope(uSquared) being that of the basis value over |u|^2.
+  template <class Visit>
+  static void withSlope(const RadialNumbers& radial, const Visit& visit) {
     if (radial.kernel == 0) {
-      for (int k = 0; k < 16; ++k) {
-        slopes[k] = Slopes::smooth(uSquared[k]);
-      }
+      visit([](double uSquared) { return Slopes::smooth(uSquared); });
     } else if (radial.kernel == 1) {
-      for (int k = 0; k < 16; ++k) {
-        slopes[k] = Slopes::wendland(uSquared[k]);
-      }
+      visit([](double uSquared) { return Slopes::wendland(uSquared); });
     } else {
-      const double sigma = radial.sigma;
-      for (int k = 0; k < 16; ++k) {
-        slopes[k] = Slopes::gaussian(sigma, uSquared[k]);
-      }
+      visit([sigma = radial.sigma](double uSquared) { return Slopes::gaussian(sigma, uSquared); });
     }
   }
 
   /// grad f at the members and 0 at the others: 2 f'(|u|^2) x toLocal^T u.
-  static void slopesOf(const double* points, const InfluenceNumbers& influence, double* __restrict__ slopes) {
-    alignas(64) double u[48];
-    alignas(64) double uSquared[16];
-    alignas(64) double radial[16];
-    const double* const center = influence.region.center;
-    const double* const m = influence.region.toLocal;
-    for (int k = 0; k < 16; ++k) {
-      const double x = points[k] - center[0];
-      const double y = points[16 + k] - center[1];
-      const double z = points[32 + k] - center[2];
-      u[k] = row(m, x, y, z);
-      u[16 + k] = row(m + 1, x, y, z);
-      u[32 + k] = row(m + 2, x, y, z);
-    }
-    BlockBody<Here>::squaredDistances(points, influence.region, uSquared);
-    radialSlopes(influence.radial, uSquared, radial);
-    const double twice = 2.0 * influence.strength;
-    const unsigned members = influence.members;
-    for (unsigned k = 0; k < 16; ++k) {
-      const double slope = (members >> k & 1U) != 0 ? twice * radial[k] : 0.0;
-      for (unsigned c = 0; c < 3; ++c) {
-        slopes[16 * c + k] = slope * (m[3 * c] * u[k] + m[3 * c + 1] * u[16 + k] + m[3 * c + 2] * u[32 + k]);
+  static void slopesOf(const double* points, const InfluenceNumbers& influence, double* slopes) {
+    withSlope(influence.radial, [&](const auto& slope) {
+      if (influence.region.inverseSquare > 0.0) {
+        inSphere(points, influence, slope, slopes);
+      } else {
+        inEllipsoid(points, influence, slope, slopes);
       }
+    });
+  }
+
+  /// There toLocal^T u is (v - center) / r^2.
+  template <class Slope>
+  static void inSphere(const double* points, const InfluenceNumbers& influence, const Slope& slope,
+                       double* __restrict__ slopes) {
+    const typename Block::Sphere sphere(influence.region);
+    const double twice = 2.0 * influence.strength;
+    const std::uint64_t members = influence.members;
+    for (std::size_t k = 0; k < 16; ++k) {
+      const double all = twice * slope(sphere(points, k)) * sphere.inverseSquare;
+      const double own = (members & Block::bits[k]) != 0 ? all : 0.0;
+      slopes[k] = own * (points[k] - sphere.x);
+      slopes[16 + k] = own * (points[16 + k] - sphere.y);
+      slopes[32 + k] = own * (points[32 + k] - sphere.z);
+    }
+  }
+
+  template <class Slope>
+  static void inEllipsoid(const double* points, const InfluenceNumbers& influence, const Slope& slope,
+                          double* __restrict__ slopes) {
+    const typename Block::Ellipsoid region(influence.region);
+    const double* const m = region.m;
+    const double twice = 2.0 * influence.strength;
+    const std::uint64_t members = influence.members;
+    for (std::size_t k = 0; k < 16; ++k) {
+      const double x = points[k] - region.center[0];
+      const double y = points[16 + k] - region.center[1];
+      const double z = points[32 + k] - region.center[2];
+      const double a = row(m, x, y, z);
+      const double b = row(m + 1, x, y, z);
+      const double c = row(m + 2, x, y, z);
+      const double all = twice * slope(a * a + b * b + c * c);
+      const double own = (members & Block::bits[k]) != 0 ? all : 0.0;
+      slopes[k] = own * (m[0] * a + m[1] * b + m[2] * c);
+      slopes[16 + k] = own * (m[3] * a + m[4] * b + m[5] * c);
+      slopes[32 + k] = own * (m[6] * a + m[7] * b + m[8] * c);
     }
   }
 };

@@ -76,9 +76,12 @@ class PortionEvaluation {
       }
       restrictToReach(block);
       block_.evaluate(block, lists_.list(block));
-      movePositions(block, image.positions);
       if (withGradients) {
-        turn(block, image.gradients);
+        const GradientSums sums = gradientSums(block);
+        move(block, sums.displaced, image.positions);
+        turn(block, sums, image.gradients);
+      } else {
+        move(block, displacementSums(block).data(), image.positions);
       }
     }
     return image;
@@ -122,22 +125,37 @@ class PortionEvaluation {
     return {blocks_.numbers(block), numbersOf(displacement), values.data(), block_.toWeight().data()};
   }
 
-  void movePositions(Index block, Points& positions) const {
+  /// sum_j w_j d_j of the 16 places: x, y, z.
+  std::array<double, 48> displacementSums(Index block) const {
     const SpaceKernels& kernels = spaceKernels();
-    const BlockList list = lists_.list(block);
     const LevelDisplacements& displacements = space_.displacements;
-    alignas(64) std::array<double, 48> sums{};
-    unsigned reached = 0;
+    const BlockList list = lists_.list(block);
+    std::array<double, 48> sums{};
     for (std::size_t e = 0; e < list.points.size(); ++e) {
       if (const auto j = static_cast<std::size_t>(list.points[e]); displacements.isMoved[j] != 0) {
         kernels.addDisplacement(termOf(block, displacements.points[j], block_.entries()[e]), sums.data());
-        reached |= list.members[e];
       }
     }
     if (displacements.isMasterMoved) {
       kernels.addDisplacement(termOf(block, displacements.master, block_.master()), sums.data());
-      reached = ~0U;
     }
+    return sums;
+  }
+
+  /// Bit k: whether anything that moved reaches the k-th place.
+  unsigned reachedIn(Index block) const {
+    const BlockList list = lists_.list(block);
+    unsigned reached = space_.displacements.isMasterMoved ? ~0U : 0U;
+    for (std::size_t e = 0; e < list.points.size(); ++e) {
+      const auto j = static_cast<std::size_t>(list.points[e]);
+      reached |= space_.displacements.isMoved[j] != 0 ? list.members[e] : 0U;
+    }
+    return reached;
+  }
+
+  /// sums: sum_j w_j d_j of the 16 places: x, y, z.
+  void move(Index block, const double* sums, Points& positions) const {
+    const unsigned reached = reachedIn(block);
     const double* const points = blocks_.numbers(block);
     for (std::size_t k = 0; k < slotsIn(block); ++k) {
       // A place that nothing moves keeps its very bits, the sign of a zero included.
@@ -150,8 +168,7 @@ class PortionEvaluation {
 
   /// I + sum_j w_j grad d_j + d_j (grad w_j)^T, with grad w_j = (grad f_j - w_j sum_i grad f_i) /
   /// sum_i f_i for the basis values f.
-  void turn(Index block, std::vector<Mat3>& gradients) const {
-    const GradientSums sums = gradientSums(block);
+  void turn(Index block, const GradientSums& sums, std::vector<Mat3>& gradients) const {
     for (std::size_t k = 0; k < slotsIn(block); ++k) {
       Mat3& gradient = gradients[static_cast<std::size_t>(order_[firstSlot(block) + k])];
       for (std::size_t row = 0; row < 3; ++row) {

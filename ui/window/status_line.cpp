@@ -3,12 +3,12 @@
 #include "ui/document/document.h"
 #include "ui/document/job_runner.h"
 #include "ui/document/theme.h"
+#include "ui/window/hint_row.h"
 #include "ui/window/labels.h"
 
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 
 namespace pbffd::ui {
 namespace {
@@ -22,24 +22,22 @@ constexpr double timeLeftAfterSeconds = 3.0;
 StatusLine::StatusLine(Document& document, const Theme& theme, QWidget* parent)
     : QStatusBar(parent),
       document_(document),
-      hints_(new QWidget),
-      hintRow_(new QHBoxLayout(hints_)),
+      hints_(new HintRow),
       progress_(makeProgress()),
       simplified_(makeLabel(tr("Simplified while dragging"), "label")),
       selection_(makeLabel({}, "label")),
       vertices_(makeLabel({}, "label")),
       milliseconds_(makeLabel({}, "label")) {
   setSizeGripEnabled(false);
-  hintRow_->setContentsMargins(12, 0, 0, 0);
-  hintRow_->setSpacing(6);
-  addWidget(hints_);
-  addWidget(progress_);
+  addWidget(hints_, 1);
+  addWidget(progress_, 1);
   progress_->hide();
   for (QLabel* label : {simplified_, selection_, vertices_, milliseconds_}) {
     label->setContentsMargins(8, 0, 8, 0);
     addPermanentWidget(label);
   }
   simplified_->setObjectName("simplified");
+  milliseconds_->setObjectName("milliseconds");
   simplified_->setToolTip(tr("Drawing the whole mesh takes too long for a drag; it is back when you let go"));
   simplified_->hide();
   milliseconds_->setToolTip(tr("The last deformation"));
@@ -53,7 +51,7 @@ StatusLine::StatusLine(Document& document, const Theme& theme, QWidget* parent)
   connect(&document, &Document::opened, this, &StatusLine::showFigures);
   connect(&document, &Document::changed, this, &StatusLine::showFigures);
   connect(&document.selection(), &Selection::changed, this, &StatusLine::showFigures);
-  connect(&theme, &Theme::changed, this, &StatusLine::rebuildHint);
+  connect(&theme, &Theme::changed, hints_, &HintRow::rebuild);
   showFigures();
 }
 
@@ -75,6 +73,7 @@ QWidget* StatusLine::makeProgress() {
   row->addWidget(bar_);
   row->addWidget(timeLeft_);
   row->addWidget(cancel_);
+  row->addStretch();
   return widget;
 }
 
@@ -110,42 +109,15 @@ void StatusLine::showProgress(const QString& stage, double share) {
 }
 
 void StatusLine::setHint(const QString& hint) {
-  if (hint != hint_) {
-    hint_ = hint;
-    rebuildHint();
-  }
+  hints_->setHint(hint);
+}
+
+QString StatusLine::hint() const {
+  return hints_->hint();
 }
 
 void StatusLine::setSimplified(bool isSimplified) {
   simplified_->setVisible(isSimplified);
-}
-
-void StatusLine::rebuildHint() {
-  while (QLayoutItem* item = hintRow_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-  static const QRegularExpression keys(R"(\[([^\]]+)\])");
-  qsizetype from = 0;
-  const auto addText = [&](qsizetype to) {
-    // Two blanks part one hint from the next.
-    const QStringList hints = hint_.mid(from, to - from).split("  ");
-    for (qsizetype i = 0; i < hints.size(); ++i) {
-      if (const QString text = hints[i].trimmed(); !text.isEmpty()) {
-        hintRow_->addWidget(makeLabel(text, from == 0 ? "strong" : "label"));
-      }
-      if (i + 1 < hints.size()) {
-        hintRow_->addSpacing(12);
-      }
-    }
-  };
-  for (auto match = keys.globalMatch(hint_); match.hasNext();) {
-    const auto key = match.next();
-    addText(key.capturedStart());
-    hintRow_->addWidget(makeLabel(key.captured(1), "key"));
-    from = key.capturedEnd();
-  }
-  addText(hint_.size());
 }
 
 void StatusLine::showFigures() {

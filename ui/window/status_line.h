@@ -3,7 +3,6 @@
 #include <QStatusBar>
 #include <QTimer>
 
-class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -11,6 +10,7 @@ class QPushButton;
 namespace pbffd::ui {
 
 class Document;
+class HintRow;
 class Theme;
 
 /// The status bar: hints of the tool at the left, or the progress of a long job with Cancel; the selection,
@@ -23,21 +23,18 @@ class StatusLine : public QStatusBar {
 
   /// Keys stand in square brackets: "Moving along Y  [Shift] precise  [Esc] cancel".
   void setHint(const QString& hint);
-  QString hint() const { return hint_; }
+  QString hint() const;
   /// Says that a coarse mesh stands in for the true one.
   void setSimplified(bool isSimplified);
 
  private:
   QWidget* makeProgress();
   void connectJobs();
-  void rebuildHint();
   void showProgress(const QString& stage, double share);
   void showFigures();
 
   Document& document_;
-  QString hint_;
-  QWidget* hints_;
-  QHBoxLayout* hintRow_;
+  HintRow* hints_;
   QWidget* progress_;
   QLabel* stage_;
   QProgressBar* bar_;

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
+#include <QStyleOptionFrame>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace pbffd::ui {
 namespace {
 
 constexpr int leastWidth = 48;
+/// What QLineEdit keeps free at each side of its text, beside the text margins.
+constexpr int sideMargin = 2;
 constexpr double dragThreshold = 4.0;
 constexpr double fineShare = 0.1;
 
@@ -65,12 +68,25 @@ void NumberField::setBlank() {
   showValue();
 }
 
+/// The number with as many of its decimals as are seen whole: one that is cut off reads as another.
+QString NumberField::fitting() const {
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  const QRect contents = style()->subElementRect(QStyle::SE_LineEditContents, &option, this);
+  const int room = contents.marginsRemoved(textMargins()).width() - 2 * sideMargin;
+  int decimals = decimals_;
+  while (decimals > 0 && fontMetrics().horizontalAdvance(formatted(value_, decimals)) > room) {
+    --decimals;
+  }
+  return formatted(value_, decimals);
+}
+
 /// What is being typed is not overwritten by a change elsewhere.
 void NumberField::showValue() {
   if (hasFocus() && (isModified() || isBad_)) {
     return;
   }
-  const QString text = state_ == State::single  ? formatted(value_, decimals_)
+  const QString text = state_ == State::single  ? fitting()
                        : state_ == State::mixed ? tr("mixed")
                                                 : QString();
   if (text != this->text()) {
@@ -80,6 +96,11 @@ void NumberField::showValue() {
       selectAll();
     }
   }
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  QLineEdit::resizeEvent(event);
+  showValue();
 }
 
 bool NumberField::isInRange(const NumberInput& input) const {

@@ -54,6 +54,7 @@ class NumberField : public QLineEdit {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -70,6 +71,7 @@ class NumberField : public QLineEdit {
     bool isMoving = false;
   };
 
+  QString fitting() const;
   void showValue();
   void accept();
   void setBad(const QString& reason);

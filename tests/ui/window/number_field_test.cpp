@@ -32,6 +32,7 @@ class NumberFieldTest : public QObject {
   void aClickStartsTyping();
   void aScrubStopsAtTheEnds();
   void numbersHaveARealMinus();
+  void aNumberThatIsTooLongLosesDecimalsNotItsEnd();
 
  private:
   void type(const QString& text);
@@ -181,6 +182,20 @@ void NumberFieldTest::aScrubStopsAtTheEnds() {
 void NumberFieldTest::numbersHaveARealMinus() {
   QCOMPARE(NumberField::formatted(-0.3131, 3), QString(QChar(0x2212)) + "0.313");
   QCOMPARE(NumberField::formatted(-0.0001, 3), QString("0.000"));
+}
+
+void NumberFieldTest::aNumberThatIsTooLongLosesDecimalsNotItsEnd() {
+  const QString minus = QChar(0x2212);
+  field_->setValue(-242.0913);
+  QCOMPARE(field_->text(), minus + "242.091");
+  field_->resize(52, 26);
+  QCOMPARE(field_->text(), minus + "242");
+  QCOMPARE(field_->value(), -242.0913);
+  field_->setValue(1.5);
+  QVERIFY(field_->text().startsWith("1.5"));
+  field_->setValue(-242.0913);
+  field_->resize(80, 26);
+  QCOMPARE(field_->text(), minus + "242.091");
 }
 
 const Registration<NumberFieldTest> registration;

@@ -200,8 +200,11 @@ void PlacementPanel::follow() {
   // Who is still changing the numbers leads.
   if (!points_->isHeld() && !radius_->isHeld() && !waiting_) {
     PlacementOptions options = document_.committed().placement;
-    // Levels that came or went since then are what the next placement is to have.
-    options.levels = static_cast<int>(document_.committed().controls.levels.size());
+    // Levels that came or went since then are what the next placement is to have; before the first placement
+    // there is an empty one, which tells nothing.
+    if (!document_.committed().controls.finest().empty()) {
+      options.levels = static_cast<int>(document_.committed().controls.levels.size());
+    }
     options.basis = document_.committed().controls.basis;
     options.master = document_.committed().controls.master.value;
     options.masterMode = document_.committed().controls.master.mode;

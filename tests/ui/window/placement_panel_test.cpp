@@ -28,6 +28,7 @@ class PlacementPanelTest : public QObject {
   void afterAnEditOnlyTheButtonPlaces();
   void undoTakesTheNumbersBack();
   void aCancelledPlacementLeavesTheNumbersThatAreTrue();
+  void withoutPointsTheLevelsAreThoseOfTheNextPlacement();
   void figuresAreSeenWhole();
   void levelsThatCameAreShown();
   void regionsCanBeEllipsoids();
@@ -105,6 +106,16 @@ void PlacementPanelTest::aCancelledPlacementLeavesTheNumbersThatAreTrue() {
   QCOMPARE(document_->history().count(), 1);
   QCOMPARE(document_->shown().controls.finest().size(), 40);
   QCOMPARE(panel_->options().points, 40);
+}
+
+void PlacementPanelTest::withoutPointsTheLevelsAreThoseOfTheNextPlacement() {
+  document_->open(writeShape(folder_, cylinder(), "other.obj"), PlacementOptions{});
+  QSignalSpy opened(document_.get(), &ui::Document::opened);
+  QVERIFY(opened.wait(patience));
+  document_->jobs().cancel();
+  QVERIFY(finishJobs(*document_));
+  QVERIFY(document_->committed().controls.finest().empty());
+  QCOMPARE(panel_->options().levels, PlacementOptions{}.levels);
 }
 
 void PlacementPanelTest::figuresAreSeenWhole() {

@@ -39,6 +39,7 @@ namespace {
 
 constexpr int errorBarTop = 60;
 constexpr int errorBarMostWidth = 720;
+constexpr int errorBarGap = 12;
 
 QStringList pathsOf(const QMimeData* data) {
   QStringList paths;
@@ -246,10 +247,12 @@ void MainWindow::say(Severity severity, const QString& text) {
 }
 
 void MainWindow::arrangeErrorBar() {
-  const int width = std::min(errorBarMostWidth, centre_->width() - 40);
+  // Over a mesh it lies beside the tools and below the view bar: what has to be done next may need both.
+  const int left = document_.isOpen() ? overlays_->toolsRight() + errorBarGap : errorBarGap;
+  const int width = std::min(errorBarMostWidth, centre_->width() - left - errorBarGap);
   errorBar_->setFixedWidth(width);
   errorBar_->setFixedHeight(std::max(38, errorBar_->heightForWidth(width)));
-  errorBar_->move((centre_->width() - width) / 2, document_.isOpen() ? errorBarTop : 16);
+  errorBar_->move(std::max(left, (centre_->width() - width) / 2), document_.isOpen() ? errorBarTop : 16);
 }
 
 void MainWindow::goToNextPane() {

@@ -121,6 +121,10 @@ void ViewOverlays::arrange() {
   fitLabel();
 }
 
+int ViewOverlays::toolsRight() const {
+  return rail_->geometry().right() + 1;
+}
+
 bool ViewOverlays::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Show) {
     arrange();

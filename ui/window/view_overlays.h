@@ -28,6 +28,9 @@ class ViewOverlays : public QObject {
   };
   ViewOverlays(Viewport& viewport, const Sources& sources, QObject* parent = nullptr);
 
+  /// Where in the view the tools end.
+  int toolsRight() const;
+
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 

@@ -9,6 +9,7 @@
 #include "ui/window/scene_panel.h"
 #include "ui/window/scene_tree.h"
 #include "ui/window/start_page.h"
+#include "ui/window/tool_rail.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -50,6 +51,7 @@ class MainWindowTest : public QObject {
   void theStartPageFitsTheSmallestWindow();
   void panelsBeginBelowTheirTitles();
   void aBadFileShowsTheErrorBarAndNothingIsLost();
+  void theErrorBarLeavesTheToolsFree();
   void theTitleTellsNameAndChange();
   void unsavedWorkIsAskedAbout();
   void actionsAreGreyedWithAReason();
@@ -134,6 +136,19 @@ void MainWindowTest::aBadFileShowsTheErrorBarAndNothingIsLost() {
   QVERIFY2(window().errorBar().text().contains("bad.obj"), qPrintable(window().errorBar().text()));
   QVERIFY(document().isModified());
   QVERIFY(document().committed().controls == controls);
+}
+
+void MainWindowTest::theErrorBarLeavesTheToolsFree() {
+  QVERIFY(openBar());
+  window().resize(1100, 700);
+  QVERIFY(open_->open(open_->folder.filePath("missing.obj")));
+  QCoreApplication::processEvents();
+  const auto* bar = &window().errorBar();
+  QVERIFY(bar->isVisible());
+  const auto* tools = window().findChild<ui::ToolRail*>();
+  const QRect covered(bar->mapTo(&window(), QPoint()), bar->size());
+  QVERIFY(!covered.intersects(QRect(tools->mapTo(&window(), QPoint()), tools->size())));
+  QVERIFY(window().viewport().geometry().width() >= bar->geometry().right());
 }
 
 void MainWindowTest::theTitleTellsNameAndChange() {

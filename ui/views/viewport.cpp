@@ -201,16 +201,16 @@ void Viewport::placeOverlays() {
   const PointId hovered = p.content.hoveredPoint();
   const auto& levels = p.document.shown().controls.levels;
   const Index place = p.document.editLevel();
-  if (hovered == 0 || place < 0 || place >= static_cast<Index>(levels.size())) {
+  const bool isLevel = place >= 0 && place < static_cast<Index>(levels.size());
+  const auto row = isLevel ? levels[place].find(hovered) : std::nullopt;
+  if (!row) {
     p.nameTag->hide();
     return;
   }
-  if (const auto row = levels[place].find(hovered)) {
-    const ControlPoint& point = levels[place][*row];
-    const Vec3 at = seen.toScreen(point.pose.center);
-    p.nameTag->setPoint(point);
-    p.nameTag->placeBeside(QPointF(at.x(), at.y()), p.widget->size());
-  }
+  const ControlPoint& point = levels[place][*row];
+  const Vec3 at = seen.toScreen(point.pose.center);
+  p.nameTag->setPoint(point);
+  p.nameTag->placeBeside(QPointF(at.x(), at.y()), p.widget->size());
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {

@@ -348,6 +348,19 @@ class ViewportTest : public QObject {
     open.frame();
     QVERIFY(!tag->isVisible());
   }
+
+  void nameTagGoesWithItsLevel() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    QVERIFY(open.document.perform(SetLevels{2}));
+    open.document.selection().setLevel(2);
+    open.viewport.setHoveredPoint(2);
+    open.frame();
+    const auto* const tag = open.viewport.findChild<QWidget*>(QStringLiteral("nameTag"));
+    QVERIFY(tag->isVisible());
+    open.document.selection().setLevel(1);
+    open.frame();
+    QVERIFY(!tag->isVisible());
+  }
 };
 
 const pbffd::test::Registration<ViewportTest> registration;

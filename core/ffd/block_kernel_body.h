@@ -219,6 +219,33 @@ struct BlockBody {
     return below<8>(nearest, 1.0 + 1e-9) | below<8>(farthest, 1.0 - 1e-9) << 8U;
   }
 
+  static unsigned nearPoints(const double* points, const double* place, double limit, double* squared) {
+    const Sphere sphere({place, nullptr, 1.0});
+    alignas(64) double all[16];
+    for (std::size_t k = 0; k < 16; ++k) {
+      all[k] = sphere(points, k);
+    }
+    for (std::size_t k = 0; k < 16; ++k) {
+      squared[k] = all[k];
+    }
+    return below<16>(all, limit);
+  }
+
+  static unsigned nearBoxes(const double* boxes, const double* place, double limit, double* squared) {
+    constexpr double slack = 8.0 * std::numeric_limits<double>::epsilon();
+    alignas(64) double all[8];
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double* half = boxes + 24 + k;
+      all[k] = squaredGap((1.0 - slack) * (boxes[k] - place[0]), (1.0 + slack) * half[0]) +
+               squaredGap((1.0 - slack) * (boxes[8 + k] - place[1]), (1.0 + slack) * half[8]) +
+               squaredGap((1.0 - slack) * (boxes[16 + k] - place[2]), (1.0 + slack) * half[16]);
+    }
+    for (std::size_t k = 0; k < 8; ++k) {
+      squared[k] = all[k];
+    }
+    return below<8>(all, limit);
+  }
+
   static void radial(const RadialNumbers& radial, const double* uSquared, double* values) {
     withRadial(radial, [&](const auto& value) {
       for (std::size_t k = 0; k < 16; ++k) {
@@ -282,8 +309,8 @@ struct BlockBody {
     }
   }
 
-  static constexpr BlockKernels all{&squaredDistances, &inside,   &meets,  &radial,
-                                    &memberValues,     &inverses, &weights};
+  static constexpr BlockKernels all{&squaredDistances, &inside,       &meets,    &nearPoints, &nearBoxes,
+                                    &radial,           &memberValues, &inverses, &weights};
 };
 
 }  // namespace pbffd

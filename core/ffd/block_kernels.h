@@ -39,6 +39,10 @@ struct BlockKernels {
   /// Of 8 boxes (8 center x, y, z, 8 half x, y, z), bit k: whether the k-th may meet the region; bit 8 + k:
   /// whether it lies in the region, with all that inside() could be asked of its points.
   unsigned (*meets)(const double* boxes, const RegionNumbers& region);
+  /// The squared distances of 16 points from a place, x y z, and bit k: whether the k-th is less than `limit`.
+  unsigned (*nearPoints)(const double* points, const double* place, double limit, double* squared);
+  /// The same of 8 boxes; a little less than the distance, for the rounding.
+  unsigned (*nearBoxes)(const double* boxes, const double* place, double limit, double* squared);
   /// The basis values of 16 squared distances; 0 from the border on.
   void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);
   /// Of one control point after the other, all with the same radial function, strength x basis value at the

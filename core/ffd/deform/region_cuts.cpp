@@ -38,11 +38,15 @@ RegionCut cutOf(const Region& region, const PointBlocks& blocks, const RestMesh&
 }  // namespace
 
 bool RegionCut::counts(Index vertex, const RestMesh& mesh, const Region& region) const {
-  if (isWhole() || mesh.graph().component(vertex) != component_) {
+  if (isWhole()) {
+    return true;
+  }
+  const SurfaceGraph& graph = mesh.graph();
+  if (graph.component(vertex) != component_) {
     return true;
   }
   return region.squaredDistance(mesh.positions().row(vertex)) < 1.0 &&
-         !std::binary_search(cut_.begin(), cut_.end(), mesh.graph().representative(vertex));
+         !std::binary_search(cut_.begin(), cut_.end(), graph.representative(vertex));
 }
 
 std::vector<RegionCut> regionCuts(const RestMesh& mesh, const Level& level, const Progress& progress) {

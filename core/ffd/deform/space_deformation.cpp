@@ -59,7 +59,11 @@ PreparedSpace::PreparedSpace(std::shared_ptr<const RestMesh> rest, const Control
       level(withRule(set.finest(), rule)),
       values(set.basis, set.master, level),
       cuts(regionCuts(*mesh, level, progress)),
-      displacements(set.master, level) {}
+      displacements(set.master, level) {
+  if (!std::all_of(cuts.begin(), cuts.end(), [](const RegionCut& cut) { return cut.isWhole(); })) {
+    nearest.emplace(*mesh);
+  }
+}
 
 struct SpaceDeformation::Prepared : PreparedSpace {
   using PreparedSpace::PreparedSpace;

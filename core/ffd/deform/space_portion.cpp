@@ -116,7 +116,8 @@ class PortionEvaluation {
   Index nearestVertex(Index block, int k) {
     Index& nearest = nearestVertex_[firstSlot(block) + static_cast<std::size_t>(k)];
     if (nearest < 0) {
-      nearest = space_.mesh->nearestVertex().nearest(blocks_.point(block, k)).index;
+      nearest = space_.nearest->nearest(blocks_.point(block, k), lastFound_);
+      lastFound_ = nearest;
     }
     return nearest;
   }
@@ -216,6 +217,7 @@ class PortionEvaluation {
   std::vector<Index> order_;
   PointBlocks blocks_;
   std::vector<Index> nearestVertex_;  ///< one a slot; -1 where nobody has asked yet
+  Index lastFound_ = 0;
   BlockLists lists_;
   BlockValues block_;
 };

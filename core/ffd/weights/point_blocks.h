@@ -50,6 +50,14 @@ class PointBlocks {
       descend(region, levels_.size() - 1, 0, visit);
     }
   }
+  /// Calls visit(block) for all blocks that may have a point at a squared distance less than limit() of a
+  /// place; the nearer of eight first, so that a limit that shrinks meanwhile leaves few.
+  template <class Limit, class Visit>
+  void forEachWithin(const Vec3& place, const Limit& limit, const Visit& visit) const {
+    if (!levels_.back().empty()) {
+      approach(place, levels_.size() - 1, 0, limit, visit);
+    }
+  }
   /// The blocks of forEachNear().
   std::vector<Index> blocksNear(const Region& region) const;
 
@@ -77,6 +85,30 @@ class PointBlocks {
         visit(box, box + 1, false);
       } else {
         descend(region, level - 1, box, visit);
+      }
+    }
+  }
+  template <class Limit, class Visit>
+  void approach(const Vec3& place, std::size_t level, Index boxes, const Limit& limit,
+                const Visit& visit) const {
+    alignas(64) std::array<double, 8> gaps;
+    const double* const numbers = levels_[level][static_cast<std::size_t>(boxes)].numbers.data();
+    unsigned left = blockKernels().nearBoxes(numbers, place.data(), limit(), gaps.data());
+    while (left != 0) {
+      auto nearest = static_cast<std::size_t>(std::countr_zero(left));
+      for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(others));
+        nearest = gaps[k] < gaps[nearest] ? k : nearest;
+      }
+      if (gaps[nearest] >= limit()) {
+        return;
+      }
+      left &= ~(1U << nearest);
+      const Index box = 8 * boxes + static_cast<Index>(nearest);
+      if (level == 0) {
+        visit(box);
+      } else {
+        approach(place, level - 1, box, limit, visit);
       }
     }
   }

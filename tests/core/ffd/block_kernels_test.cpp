@@ -6,7 +6,9 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -137,6 +139,47 @@ class BlockKernelsTest : public QObject {
       }
     }
     QVERIFY(whole > 1000);
+  }
+
+  void pointsNearAPlaceAreFoundByTheirDistance() {
+    for (int trial = 0; trial < 300; ++trial) {
+      const std::array<double, 48> points = numbers<48>(1.0);
+      const Vec3 place(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      for (const BlockKernels* kernels : variants()) {
+        Lanes squared;
+        const unsigned near = kernels->nearPoints(points.data(), place.data(), 0.8, squared.data());
+        for (std::size_t k = 0; k < 16; ++k) {
+          const Vec3 d = Vec3(points[k], points[16 + k], points[32 + k]) - place;
+          QVERIFY(isSame(squared[k], d.x() * d.x() + d.y() * d.y() + d.z() * d.z()));
+          QCOMPARE((near >> k & 1U) != 0, squared[k] < 0.8);
+        }
+      }
+    }
+  }
+
+  void boxesAreNoFartherThanTheyAre() {
+    for (int trial = 0; trial < 300; ++trial) {
+      std::array<double, 48> boxes = numbers<48>(1.0);
+      std::for_each(boxes.begin() + 24, boxes.end(), [](double& half) { half = std::abs(half); });
+      boxes[3] = std::numeric_limits<double>::quiet_NaN();
+      const Vec3 place(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      std::array<double, 8> first{};
+      const unsigned found = variants().front()->nearBoxes(boxes.data(), place.data(), 0.5, first.data());
+      for (const BlockKernels* kernels : variants()) {
+        std::array<double, 8> squared{};
+        QCOMPARE(kernels->nearBoxes(boxes.data(), place.data(), 0.5, squared.data()), found);
+        QVERIFY(std::memcmp(squared.data(), first.data(), sizeof first) == 0);
+      }
+      for (std::size_t k = 0; k < 8; ++k) {
+        double exact = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double away = std::abs(place[static_cast<Eigen::Index>(axis)] - boxes[8 * axis + k]);
+          exact += std::pow(std::max(away - boxes[24 + 8 * axis + k], 0.0), 2);
+        }
+        QVERIFY(k == 3 || (first[k] <= exact && first[k] >= exact - 1e-13));
+        QCOMPARE((found >> k & 1U) != 0, first[k] < 0.5);
+      }
+    }
   }
 
  private:

@@ -3,7 +3,9 @@
 #include "core/ffd/placement/decimation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -43,8 +45,10 @@ MergeRules rulesFor(const PointPool& pool, Index target, Side side, const Surfac
     rules.groups.assign(pool.parts.size(), 0);
   }
   rules.factor = [side, asked, &parts](const Vec3& a, const Vec3& b) {
+    const auto isOffSide = [&](const Vec3& point) { return parts.isInside(point) != (side == Side::inside); };
     const bool isAcross = parts.isBetween(a, b);
-    if ((isAcross || asked == Asked::each) && parts.isInside(0.5 * (a + b)) != (side == Side::inside)) {
+    // Points of a part that lies wholly off side have no side to leave.
+    if ((isAcross || asked == Asked::each) && isOffSide(0.5 * (a + b)) && !(isOffSide(a) && isOffSide(b))) {
       return std::numeric_limits<double>::infinity();
     }
     return isAcross ? wallFactor : 1.0;
@@ -87,23 +91,61 @@ std::vector<bool> offSide(const PointPool& pool, Side side, const SurfaceParts& 
   return flags;
 }
 
-bool hasOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, const Progress& progress) {
-  const std::vector<bool> flags = offSide(pool, side, parts, true, progress);
-  return std::find(flags.begin(), flags.end(), true) != flags.end();
+/// The parts of which no place is on the side; asked are ever more places of those that may yet be.
+std::set<Index> partsWhollyOffSide(const PointPool& pool, Side side, const SurfaceParts& parts,
+                                   const Progress& progress) {
+  std::map<Index, std::vector<Index>> open;
+  for (Index i = 0; i < pool.size(); ++i) {
+    open[pool.parts[i]].push_back(i);
+  }
+  std::set<Index> found;
+  for (std::size_t begin = 0, end = 1; !open.empty(); begin = end, end *= 2) {
+    PointPool asked;
+    for (const auto& [part, places] : open) {
+      for (std::size_t i = begin; i < std::min(end, places.size()); ++i) {
+        asked.append(pool.points.row(places[i]), part);
+      }
+    }
+    asked.shrink();
+    const std::vector<bool> isOff = offSide(asked, side, parts, true, progress);
+    for (Index i = 0; i < asked.size(); ++i) {
+      if (!isOff[i]) {
+        open.erase(asked.parts[i]);
+      }
+    }
+    for (auto it = open.begin(); it != open.end();) {
+      const bool isDone = it->second.size() <= end;
+      if (isDone) {
+        found.insert(it->first);
+      }
+      it = isDone ? open.erase(it) : std::next(it);
+    }
+  }
+  return found;
 }
 
-PointPool withoutOffSide(const PointPool& pool, Side side, const SurfaceParts& parts, bool isExact,
-                         const Progress& progress) {
-  const std::vector<bool> flags = offSide(pool, side, parts, isExact, progress);
-  std::set<Index> partsOnSide;
+bool hasOffSide(const PointPool& pool, const std::vector<bool>& isOffSide,
+                const std::set<Index>& whollyOffSide) {
   for (Index i = 0; i < pool.size(); ++i) {
-    if (!flags[i]) {
-      partsOnSide.insert(pool.parts[i]);
+    if (isOffSide[i] && !whollyOffSide.contains(pool.parts[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Keeps the places of a part that has no others.
+PointPool withoutOffSide(const PointPool& pool, const std::vector<bool>& isOffSide,
+                         const std::set<Index>& whollyOffSide) {
+  std::set<Index> onSide;
+  for (Index i = 0; i < pool.size(); ++i) {
+    if (!isOffSide[i]) {
+      onSide.insert(pool.parts[i]);
     }
   }
   PointPool kept;
   for (Index i = 0; i < pool.size(); ++i) {
-    if (!flags[i] || !partsOnSide.contains(pool.parts[i])) {
+    if (!isOffSide[i] || whollyOffSide.contains(pool.parts[i]) || !onSide.contains(pool.parts[i])) {
       kept.append(pool.points.row(i), pool.parts[i]);
     }
   }
@@ -147,16 +189,18 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
     return {};
   }
   const auto rules = [&](const PointPool& of, Asked asked) { return rulesFor(of, target, side, parts, asked); };
-  const Decimated coarse = decimateInOctree(pool.points, coarseTarget(pool.size(), target),
-                                            {rules(pool, Asked::acrossWalls).groups, nullptr}, progress);
+  const PointPool grouped{pool.points, rules(pool, Asked::acrossWalls).groups};
+  const std::set<Index> whollyOffSide = partsWhollyOffSide(grouped, side, parts, progress);
+  const Decimated coarse = decimateInOctree(grouped.points, coarseTarget(grouped.size(), target),
+                                            {grouped.parts, nullptr}, progress);
   PointPool left{coarse.points, coarse.groups};
   if (left.size() < pool.size()) {
-    left = withoutOffSide(left, side, parts, false, progress);
+    left = withoutOffSide(left, offSide(left, side, parts, false, progress), whollyOffSide);
   }
   PointPool result = merged(left, target, rules(left, Asked::acrossWalls), progress);
-  if (hasOffSide(result, side, parts, progress)) {
+  if (hasOffSide(result, offSide(result, side, parts, true, progress), whollyOffSide)) {
     // One was there from the start, or a mid-point came through a hole.
-    left = withoutOffSide(left, side, parts, true, progress);
+    left = withoutOffSide(left, offSide(left, side, parts, true, progress), whollyOffSide);
     result = merged(left, target, rules(left, Asked::each), progress);
   }
   return result;

@@ -27,7 +27,8 @@ enum class Side { inside, outside };
 /// there are more parts than points. Pairs with a wall of the mesh between them are put back, and no
 /// mid-point leaves its side of the surface (McDonnell & Qin, Figure 2, steps 3 and 8). What comes back is
 /// checked by the winding number: where points lie on the wrong side, all such are taken out of the pool
-/// first, those of parts that lie wholly there excepted, and each mid-point is asked. Throws Cancelled.
+/// first and each mid-point is asked. Parts that lie wholly on the wrong side keep their points there, and
+/// their mid-points have no side to leave. Throws Cancelled.
 PointPool decimatedPool(const PointPool& pool, Index target, Side side, const SurfaceParts& parts,
                         const Progress& progress);
 

@@ -2,8 +2,10 @@
 
 #include "core/ffd/placement/placement.h"
 #include "core/ffd/weights/parameterization.h"
+#include "core/mesh/nearest.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -41,6 +43,16 @@ inline Gaps gapsOf(const RestMesh& mesh, const Level& level) {
   }
   gaps.uncovered = static_cast<int>(std::count(isReached.begin(), isReached.end(), false));
   return gaps;
+}
+
+/// Between any two of some points.
+inline double leastDistance(const Points& points) {
+  const NearestPoints nearest(points);
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < points.rows(); ++i) {
+    least = std::min(least, nearest.nearest(points.row(i).transpose(), 2).back().distance);
+  }
+  return least;
 }
 
 inline Mesh stretched(Mesh mesh, const Vec3& factors) {

@@ -1,11 +1,14 @@
 #include "core/ffd/placement/point_pool.h"
 #include "core/base/error.h"
 #include "core/ffd/placement/decimation.h"
+#include "core/ffd/placement/exterior_points.h"
+#include "tests/core/ffd/placement/placed.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
 #include <QtTest>
 
+#include <atomic>
 #include <random>
 #include <set>
 
@@ -49,6 +52,16 @@ PointPool scattered(const SurfaceParts& parts, Index count, bool inside) {
   }
   pool.shrink();
   return pool;
+}
+
+/// An open sheet of n x n quads wholly inside a ball.
+SurfaceParts sheetInBall(int n) {
+  return partsOf(test::merged(test::placedAt(test::sphere(40, 80), 2.0, Vec3::Zero()), test::sheet(n)));
+}
+
+/// The places beside that sheet, none of which is outside.
+PointPool besideSheet(const SurfaceParts& parts) {
+  return exteriorPools(parts, everyVertex(parts), 0.05 * parts.diagonal(), {}).around;
 }
 
 }  // namespace
@@ -110,6 +123,56 @@ class PointPoolTest : public QObject {
       QVERIFY(decimatedPool(pool, target, Side::inside, parts, {}).points ==
               mergeClosestPairs(pool.points, target).points);
     }
+  }
+
+  void openPartInsideAClosedOneMergesOnceAlongItsWalls() {
+    const SurfaceParts parts = sheetInBall(35);
+    const PointPool pool = besideSheet(parts);
+    QCOMPARE(pool.size(), 2 * 36 * 36);
+    std::atomic<Index> asked = 0;
+    const MergeRules onceAlongWalls{pool.parts, [&](const Vec3& a, const Vec3& b) {
+                                      ++asked;
+                                      return parts.isBetween(a, b) ? 4.0 : 1.0;
+                                    }};
+    for (const Index target : {500, 100, 20, 2}) {
+      asked = 0;
+      const MergedPoints expected = mergeClosestPairs(pool.points, target, onceAlongWalls);
+      QVERIFY(decimatedPool(pool, target, Side::outside, parts, {}).points == expected.points);
+      QVERIFY(asked < 10 * pool.size());
+    }
+  }
+
+  void openPartInsideAClosedOneIsSpreadEvenly() {
+    const SurfaceParts parts = sheetInBall(90);
+    const PointPool pool = besideSheet(parts);
+    // One for each of 50 squares of 0.28 on either side.
+    const PointPool few = decimatedPool(pool, 100, Side::outside, parts, {});
+    QCOMPARE(few.size(), 100);
+    QVERIFY(test::leastDistance(few.points) > 0.2);
+  }
+
+  void openPartInsideKeepsItsPointsWhereOthersStray() {
+    const SurfaceParts parts = sheetInBall(35);
+    PointPool pool = besideSheet(parts);
+    const Index sheet = pool.parts[0];
+    const PointPool outside = scattered(parts, 400, false);
+    for (Index i = 0; i < outside.size(); ++i) {
+      pool.append(outside.points.row(i), 1 - sheet);
+    }
+    pool.append(Vec3(0, 0, 1.5), 1 - sheet);
+    pool.shrink();
+    const PointPool few = decimatedPool(pool, 150, Side::outside, parts, {});
+    QCOMPARE(few.size(), 150);
+    PointPool ofSheet;
+    for (Index i = 0; i < few.size(); ++i) {
+      QCOMPARE(parts.isInside(few.points.row(i)), few.parts[i] == sheet);
+      if (few.parts[i] == sheet) {
+        ofSheet.append(few.points.row(i), sheet);
+      }
+    }
+    ofSheet.shrink();
+    QVERIFY(ofSheet.size() > 4);
+    QVERIFY(test::leastDistance(ofSheet.points) > 0.2);
   }
 
   void doublesAreDroppedTheFirstStays() {

@@ -3,12 +3,10 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/ffd/placement/random_order.h"
-#include "core/ffd/placement/spaced_picks.h"
 #include "core/mesh/spread.h"
 #include "core/mesh/voronoi.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -96,83 +94,6 @@ double sliverRadius(const SurfaceParts& parts, const VoronoiVertices& vertices,
   return diagonal * std::min(sliverShareOfDiagonal, sliverShareOfUsual * usualRadius(std::move(radii)));
 }
 
-/// A grid over the bounds with cells of one size, or smaller along an axis that has room for few.
-struct Grid {
-  std::size_t counts[3];
-  Vec3 first;  ///< the middle of the first cell
-  Vec3 cell;
-
-  Grid(const Bounds& bounds, double size) : first(bounds.low), cell(Vec3::Constant(size)) {
-    constexpr double few = 4.0;
-    const Vec3 extent = bounds.high - bounds.low;
-    for (int axis = 0; axis < 3; ++axis) {
-      double count = std::min(std::ceil(extent[axis] / size), 1e9);
-      if (extent[axis] < few * size) {
-        // Else none might lie within a thin plate.
-        count = std::max(1.0, count);
-        cell[axis] = extent[axis] / count;
-        first[axis] += 0.5 * cell[axis];
-      } else {
-        count += 1.0;
-      }
-      counts[axis] = static_cast<std::size_t>(count);
-    }
-  }
-  double total() const {
-    return static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * static_cast<double>(counts[2]);
-  }
-};
-
-/// A point of each cell of a grid over the bounds, somewhere in its middle, that lies inside.
-std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsigned seed,
-                                  const Progress& progress) {
-  // However small the volume is in its box, no more than fit in memory.
-  constexpr double greatestGrid = 1e6;
-  const Bounds& bounds = parts.bounds();
-  Grid grid(bounds, size);
-  while (grid.total() > greatestGrid) {
-    size *= 1.25;
-    grid = Grid(bounds, size);
-  }
-  const auto total = static_cast<std::size_t>(grid.total());
-  Points points(static_cast<Eigen::Index>(total), 3);
-  for (std::size_t i = 0; i < total; ++i) {
-    const std::size_t at[3] = {i % grid.counts[0], i / grid.counts[0] % grid.counts[1],
-                               i / grid.counts[0] / grid.counts[1]};
-    for (int axis = 0; axis < 3; ++axis) {
-      const double shift = 0.5 * (randomShare(seed, 3 * i + axis) - 0.5);
-      points(static_cast<Index>(i), axis) =
-          grid.first[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
-    }
-  }
-  const std::vector<bool> isInside = parts.likelyInsideFlags(points, progress);
-  std::vector<Vec3> inside;
-  for (std::size_t i = 0; i < total; ++i) {
-    if (isInside[i]) {
-      inside.emplace_back(points.row(static_cast<Index>(i)));
-    }
-  }
-  return inside;
-}
-
-/// The part of the nearest vertex that belongs to a closed part.
-Index partNear(const SurfaceParts& parts, const Vec3& point) {
-  for (int k = 8; k <= 512; k *= 8) {
-    for (const auto& neighbour : parts.mesh().nearestVertex().nearest(point, k)) {
-      const Index part = parts.partOfVertex()[neighbour.index];
-      if (part >= 0 && parts.isClosed(part)) {
-        return part;
-      }
-    }
-  }
-  for (Index part = 0; part < parts.count(); ++part) {
-    if (parts.isClosed(part)) {
-      return part;
-    }
-  }
-  return 0;
-}
-
 /// The Voronoi vertices inside that are no slivers'.
 PointPool volumePoints(const SurfaceParts& parts, const SurfaceSamples& sites, const VoronoiVertices& vertices,
                        const Progress& progress) {
@@ -213,24 +134,6 @@ PointPool volumePoints(const SurfaceParts& parts, const SurfaceSamples& sites, c
   }
   kept.dropDoubles();
   return kept;
-}
-
-PointPool thoseInside(const PointPool& pool, const SurfaceParts& parts, const Progress& progress) {
-  const std::vector<bool> isInside = parts.likelyInsideFlags(pool.points, progress);
-  PointPool kept;
-  for (Index i = 0; i < pool.size(); ++i) {
-    if (isInside[i]) {
-      kept.append(pool.points.row(i), pool.parts[i]);
-    }
-  }
-  kept.shrink();
-  return kept;
-}
-
-/// The usual distance of `target` points that share a volume; a little less than dart throwing gives.
-double spacingIn(double volume, Index target) {
-  constexpr double packing = 0.7;
-  return packing * std::cbrt(volume / target);
 }
 
 }  // namespace
@@ -295,50 +198,6 @@ PointPool voronoiPointsInside(const SurfaceParts& parts, const SurfaceSamples& s
   }
   progress.report("Placing points: inside");
   return volumePoints(parts, sites, vertices, progress);
-}
-
-PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
-                              const Progress& progress) {
-  const Bounds& bounds = parts.bounds();
-  const double volume = parts.volume();
-  if (target <= 0 || !(volume > 0.0)) {
-    return pool;
-  }
-  // How many of the pool stand as far apart as so many points in that volume would.
-  double spacing = spacingIn(volume, target);
-  const auto wellSpaced = [&](const PointPool& from) {
-    SpacedPicks picks(bounds.low, bounds.high, spacing);
-    const RandomOrder order(static_cast<std::uint64_t>(from.size()), seed);
-    for (Index i = 0; i < from.size() && picks.size() < target; ++i) {
-      picks.pick({from.points.row(static_cast<Index>(order[i])), Vec3::Zero(), 0, spacing});
-    }
-    return picks;
-  };
-  if (wellSpaced(pool).size() >= target) {
-    return pool;
-  }
-  // On plates and needles votes go wrong; here, where few points are, no vote counts.
-  PointPool filled = thoseInside(pool, parts, progress);
-  SpacedPicks picks = wellSpaced(filled);
-  // A few candidates for each that is wanted, the best spaced first.
-  constexpr double candidatesPerPoint = 4.0;
-  constexpr int attempts = 9;
-  const double cell = std::cbrt(volume / (candidatesPerPoint * target));
-  const std::vector<Vec3> candidates = scatteredInside(parts, cell, seed, progress);
-  const RandomOrder candidateOrder(candidates.size(), seed + 1);
-  std::vector<bool> isTaken(candidates.size(), false);
-  for (int attempt = 1; attempt <= attempts && picks.size() < target; ++attempt) {
-    for (std::size_t i = 0; i < candidates.size() && picks.size() < target; ++i) {
-      const std::size_t c = candidateOrder[i];
-      if (!isTaken[c] && picks.pick({candidates[c], Vec3::Zero(), 0, spacing})) {
-        isTaken[c] = true;
-        filled.append(candidates[c], partNear(parts, candidates[c]));
-      }
-    }
-    spacing = attempt + 1 < attempts ? 0.7 * spacing : 0.0;
-  }
-  filled.shrink();
-  return filled;
 }
 
 }  // namespace pbffd

@@ -18,10 +18,4 @@ std::vector<bool> insideFlags(const std::vector<Index>& rows, const SurfaceParts
                               const SurfaceSamples& sites, const VoronoiVertices& vertices,
                               const Progress& progress);
 
-/// The pool, and where it has room for fewer than `target` points that stand well apart, points spread over
-/// the inside, so that it has: the medial axis of a sphere is its centre alone. At least `target` points come
-/// back wherever the closed parts have any inside. Throws Cancelled.
-PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
-                              const Progress& progress);
-
 }  // namespace pbffd

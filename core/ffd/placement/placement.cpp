@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/ffd/placement/coverage.h"
+#include "core/ffd/placement/interior_samples.h"
 #include "core/ffd/placement/placement_cache.h"
 #include "core/ffd/placement/region_shape.h"
 #include "core/ffd/placement/shares.h"

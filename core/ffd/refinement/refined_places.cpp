@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/ffd/basis.h"
+#include "core/ffd/placement/interior_samples.h"
 #include "core/ffd/weights/point_blocks.h"
 
 #include <Eigen/LU>

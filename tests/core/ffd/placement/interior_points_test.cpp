@@ -1,6 +1,5 @@
 #include "core/ffd/placement/interior_points.h"
 #include "core/base/error.h"
-#include "core/mesh/nearest.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -210,32 +209,11 @@ class InteriorPointsTest : public QObject {
     QCOMPARE(voronoiPointsInside(flat, SurfaceSamples(), {}).size(), 0);
   }
 
-  void sphereIsFilledWithSpreadPoints() {
-    const SurfaceParts parts = partsOf(test::sphere());
-    const PointPool axis = voronoiPointsInside(parts, everyVertex(parts), {});
-    const PointPool pool = withInteriorSamples(axis, 100, parts, 0, {});
-    QVERIFY(pool.size() >= axis.size() + 90);
-    Points added = pool.points.bottomRows(pool.size() - axis.size());
-    const NearestPoints nearest(added);
-    for (Index i = 0; i < added.rows(); ++i) {
-      QVERIFY(parts.isInside(added.row(i)));
-      QVERIFY(nearest.nearest(added.row(i).transpose(), 2).back().distance > 0.15);
-    }
-  }
-
-  void richAxisNeedsNoSamples() {
-    const SurfaceParts parts = partsOf(test::fork());
-    const PointPool axis = voronoiPointsInside(parts, everyVertex(parts), {});
-    QCOMPARE(withInteriorSamples(axis, 5, parts, 0, {}).size(), axis.size());
-    QCOMPARE(withInteriorSamples(axis, 0, parts, 0, {}).size(), axis.size());
-  }
-
   void cancelStopsIt() {
     const Progress progress([](std::string_view, double) {});
     progress.cancel();
     const SurfaceParts parts = partsOf(test::sphere());
     QVERIFY_EXCEPTION_THROWN(voronoiPointsInside(parts, everyVertex(parts), progress), Cancelled);
-    QVERIFY_EXCEPTION_THROWN(withInteriorSamples({}, 100, parts, 0, progress), Cancelled);
   }
 };
 

@@ -45,6 +45,29 @@ void requireGuarantees(const Mesh& mesh, const PlacementOptions& options) {
   QVERIFY(50 * gaps.idle <= options.points);
 }
 
+/// However many Voronoi vertices lie in one place.
+void requireInteriorApart(const Mesh& mesh, const PlacementOptions& options) {
+  const auto shared = rest(mesh);
+  const PlacementResult result = placeControlPoints(shared, options);
+  QCOMPARE(result.finest.size(), Index(options.points));
+  Points inside(result.finest.size(), 3);
+  Index count = 0;
+  for (const ControlPoint& point : result.finest) {
+    if (point.kind == PointKind::interior) {
+      inside.row(count++) = point.rest.center;
+    }
+  }
+  const double usual = std::cbrt(SurfaceParts(shared, Surface::automatic).volume() / count);
+  const double least = test::leastDistance(inside.topRows(count));
+  QVERIFY2(least > 0.4 * usual, qPrintable(QString("%1 of %2").arg(least).arg(usual)));
+}
+
+/// As a file of so many digits has it.
+Mesh rounded(Mesh mesh, double unit) {
+  mesh.positions = (mesh.positions / unit).array().round().matrix() * unit;
+  return mesh;
+}
+
 }  // namespace
 
 class PlacementGuaranteesTest : public QObject {
@@ -69,6 +92,25 @@ class PlacementGuaranteesTest : public QObject {
     requireGuarantees(test::fork(), paper);
     paper.reach = Reach::connected;
     requireGuarantees(test::fork(), paper);
+  }
+
+  void fineSpheresAreFilledEvenly() {
+    const Mesh fine = test::sphere(100, 200);
+    const Mesh two = test::merged(fine, test::placedAt(fine, 1.0, Vec3(3, 0, 0)));
+    PlacementOptions everySite = withPoints(200);
+    everySite.sites = 0;
+    requireInteriorApart(fine, withPoints(200));
+    requireInteriorApart(fine, withPoints(1000));
+    requireInteriorApart(fine, everySite);
+    requireInteriorApart(two, withPoints(200));
+    // Their Voronoi vertices lie about the centre, more and more of them nearer and nearer.
+    requireInteriorApart(rounded(test::placedAt(test::sphere(90, 180), 2.0, Vec3::Zero()), 1e-8),
+                         withPoints(200));
+    Mesh many;
+    for (int i = 0; i < 8; ++i) {
+      many = test::merged(many, test::placedAt(test::sphere(40, 80), 0.5 + 0.1 * i, Vec3(3.0 * i, 0, 0)));
+    }
+    requireInteriorApart(many, withPoints(200));
   }
 
   void farAndTinyMeshesKeepThePromises() {

@@ -137,6 +137,7 @@ class LayoutReader {
   void takeArray(std::size_t t, const std::string& parent) {
     const XmlTag& tag = tags_[t];
     RawPiece& piece = layout_.pieces.back();
+    requireComponents(tag);
     if (tag.value("format") != "appended" || tag.find("TimeStep") != nullptr) {
       throw Unusual();
     }
@@ -166,6 +167,16 @@ class LayoutReader {
       piece.positions = std::move(array);
     } else {
       piece.pointArrays.push_back(std::move(array));
+    }
+  }
+
+  /// VTK 9.1 would ask for that much memory.
+  void requireComponents(const XmlTag& tag) const {
+    if (const std::string components = tag.value("NumberOfComponents"); components.starts_with('-')) {
+      throw InvalidInput(format(
+          "Could not read {}: the array '{}' says NumberOfComponents=\"{}\". The file is damaged; write it "
+          "anew.",
+          path_.string(), tag.value("Name"), components));
     }
   }
 

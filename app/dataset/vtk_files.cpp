@@ -26,6 +26,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cerrno>
+#include <stdexcept>
 #include <system_error>
 
 namespace pbffd {
@@ -41,12 +42,25 @@ void requireReadable(const std::filesystem::path& path) {
   }
 }
 
+/// Readers believe what a header says of its arrays.
+template <class Reader>
+void update(Reader& reader, const std::filesystem::path& path) {
+  try {
+    reader.Update();
+  } catch (const std::length_error&) {
+    throw InvalidInput(
+        format("Could not read {}: an array in it has more numbers than any memory holds, or fewer "
+               "than none. The file is damaged; write it anew.",
+               path.string()));
+  }
+}
+
 /// Runs a reader whose output is what it reads.
 template <class Reader>
 VtkFile read(Reader& reader, const std::filesystem::path& path, const Progress& progress) {
   const VtkWatch watch(reader, "Reading " + path.filename().string(), progress);
   reader.SetFileName(path.c_str());
-  reader.Update();
+  update(reader, path);
   watch.throwIfCancelled();
   if (const std::string errors = watch.errors(); !errors.empty() || reader.GetErrorCode() != 0) {
     throw InvalidInput(

@@ -72,6 +72,9 @@ class ApplyFailuresTest : public QObject {
     row("more points than bytes", "many.vtu", "b.vtu", "", "many.vtu: its header promises");
     row("fewer cells than none", "negative.vtu", "b.vtu", "",
         "negative.vtu: its first piece says NumberOfCells");
+    row("fewer components than none", "components.vtu", "b.vtu", "", "components.vtu: the array '");
+    row("fewer components than none, compressed", "components_zip.vtu", "b.vtu", "",
+        "components_zip.vtu: an array");
     row("a malformed header", "malformed.vtu", "b.vtu", "", "malformed.vtu");
     row("not VTK", "words.vtu", "b.vtu", "", "words.vtu");
     row("not legacy VTK", "words.vtk", "b.vtk", "", "words.vtk");
@@ -185,6 +188,7 @@ class ApplyFailuresTest : public QObject {
     std::string negative = good;
     negative.replace(negative.find("NumberOfCells=\"125\""), 19, "NumberOfCells=\"-25\"");
     put("negative.vtu", negative);
+    put("components.vtu", withNegativeComponents(good));
     std::string malformed = good;
     malformed.replace(malformed.find("Name=\"types\""), 12, "Name=types  ");
     put("malformed.vtu", malformed);
@@ -194,6 +198,7 @@ class ApplyFailuresTest : public QObject {
     put("short.vtp", surface.substr(0, surface.rfind("</AppendedData>") - 8));
     test::writeXml(folder_ / "good_zip.vtu", *grid, test::XmlMode::rawCompressed);
     const std::string packed = readFile(folder_ / "good_zip.vtu");
+    put("components_zip.vtu", withNegativeComponents(packed));
     put("short_zip.vtu", packed.substr(0, packed.size() / 2));
     test::writeLegacy(folder_ / "good.vtk", *grid, true, 51);
     const std::string legacy = readFile(folder_ / "good.vtk");
@@ -215,6 +220,10 @@ class ApplyFailuresTest : public QObject {
     put("image.vtk",
         "# vtk DataFile Version 3.0\nan image\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
         "ORIGIN 0 0 0\nSPACING 1 1 1\n");
+  }
+
+  static std::string withNegativeComponents(std::string bytes) {
+    return bytes.replace(bytes.find("NumberOfComponents=\"3\""), 22, "NumberOfComponents=\"-3\"");
   }
 
   std::unique_ptr<QTemporaryDir> dir_;

@@ -66,7 +66,15 @@ void writeAll(int descriptor, std::string_view bytes, const std::filesystem::pat
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+}
+
+/// Has the system put it on the disk.
+void sync(const std::string& temporary, const std::filesystem::path& path) {
+  const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    failToWrite(path, errno);
+  }
+  if (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
     failToWrite(path, errno);
   }
 }
@@ -133,24 +141,35 @@ std::string readFile(const std::filesystem::path& path) {
   return bytes;
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+void replaceFile(const std::filesystem::path& path,
+                 const std::function<void(const std::filesystem::path& temporary)>& write) {
   // A link is followed, so that saving through it does not replace it.
   const std::filesystem::path target = writeTarget(path);
   std::string temporary = target.string() + ".XXXXXX";
-  const Descriptor file(::mkstemp(temporary.data()));
-  if (file.get() < 0) {
+  if (const Descriptor made(::mkstemp(temporary.data())); made.get() < 0) {
     failToWrite(path, errno);
   }
   try {
-    writeAll(file.get(), bytes, path);
-    ::fchmod(file.get(), permissionsFor(target));
-    if (::rename(temporary.c_str(), target.c_str()) != 0) {
+    write(temporary);
+    sync(temporary, path);
+    if (::chmod(temporary.c_str(), permissionsFor(target)) != 0 ||
+        ::rename(temporary.c_str(), target.c_str()) != 0) {
       failToWrite(path, errno);
     }
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+  replaceFile(path, [&](const std::filesystem::path& temporary) {
+    const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) {
+      failToWrite(path, errno);
+    }
+    writeAll(file.get(), bytes, path);
+  });
 }
 
 std::string sha256(std::string_view bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,11 @@ std::string readFile(const std::filesystem::path& path);
 /// Writes beside `path` and renames, so that `path` holds either its old content or all of the new one.
 /// Throws IoError that names the file and the reason (a full disk, no permission); `path` is then untouched.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same for what `write` puts into the file that it is given the name of, an empty one beside `path`; it may
+/// replace it. What `write` throws passes through.
+void replaceFile(const std::filesystem::path& path,
+                 const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// Where writing to `path` ends: links are followed, also one to a file that is not there yet. Throws IoError
 /// where something is there that is no regular file.

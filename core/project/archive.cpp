@@ -102,11 +102,15 @@ std::string unpacked(zip_t* archive, const std::filesystem::path& path, const zi
   return bytes;
 }
 
-[[noreturn]] void failToBuild(zip_t* archive) {
-  throw IoError(format("Could not build the project file: {}.", zip_strerror(archive)));
+[[noreturn]] void failToBuild(zip_t* archive, const std::filesystem::path& path) {
+  zip_error_t* const error = zip_get_error(archive);
+  if (zip_error_system_type(error) == ZIP_ET_SYS && zip_error_code_system(error) != 0) {
+    failToWrite(path, zip_error_code_system(error));
+  }
+  throw IoError(format("Could not write {}: {}.", path.string(), zip_error_strerror(error)));
 }
 
-void add(zip_t* archive, const ArchiveMember& member) {
+void add(zip_t* archive, const std::filesystem::path& path, const ArchiveMember& member) {
   constexpr zip_flags_t utf8 = ZIP_FL_ENC_UTF_8;
   zip_int64_t index = -1;
   if (member.name.ends_with('/')) {
@@ -119,16 +123,19 @@ void add(zip_t* archive, const ArchiveMember& member) {
     }
   }
   if (index < 0) {
-    failToBuild(archive);
+    failToBuild(archive, path);
   }
   const auto place = static_cast<zip_uint64_t>(index);
+  // Of the levels 1 to 9: a mesh of 64 MB takes 0.9 s, a sixteenth of what the 9th takes, to a third of its length
+  // (0.336 of it; the 9th 0.318).
+  constexpr zip_uint32_t level = 4;
   const zip_int32_t method = member.compressed && !member.content().empty() ? ZIP_CM_DEFLATE : ZIP_CM_STORE;
   // The earliest date that a ZIP can hold: the same project gives the same bytes.
   constexpr zip_uint16_t midnight = 0;
   constexpr zip_uint16_t firstOf1980 = (1U << 5U) | 1U;
-  if (zip_set_file_compression(archive, place, method, 0) != 0 ||
+  if (zip_set_file_compression(archive, place, method, level) != 0 ||
       zip_file_set_dostime(archive, place, midnight, firstOf1980, 0) != 0) {
-    failToBuild(archive);
+    failToBuild(archive, path);
   }
 }
 
@@ -176,42 +183,26 @@ Archive readArchive(const std::filesystem::path& path, const Progress& progress)
   return archive;
 }
 
-std::string encodeArchive(const Archive& archive, const Progress& progress) {
-  zip_error_t error;
-  zip_error_init(&error);
-  const SourceHandle buffer(zip_source_buffer_create(nullptr, 0, 0, &error));
-  if (!buffer) {
-    throw IoError(format("Could not build the project file: {}.", messageOf(error)));
-  }
-  // The archive gives its hold on the source up when it is closed; this one is kept to read from it.
-  zip_source_keep(buffer.get());
-  ArchiveHandle handle(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, &error));
-  if (!handle) {
-    zip_source_free(buffer.get());
-    throw IoError(format("Could not build the project file: {}.", messageOf(error)));
-  }
-  zip_error_fini(&error);
-  for (const ArchiveMember& member : archive.members) {
-    add(handle.get(), member);
-  }
-  Progress asked = progress;
-  zip_register_cancel_callback_with_state(handle.get(), isCancelled, nullptr, &asked);
-  if (zip_close(handle.get()) != 0) {
-    progress.throwIfCancelled();
-    failToBuild(handle.get());
-  }
-  handle.release();
-  zip_stat_t status;
-  if (zip_source_stat(buffer.get(), &status) != 0 || zip_source_open(buffer.get()) != 0) {
-    throw IoError("Could not build the project file.");
-  }
-  std::string bytes(status.size, '\0');
-  const auto read = zip_source_read(buffer.get(), bytes.data(), bytes.size());
-  zip_source_close(buffer.get());
-  if (read != static_cast<zip_int64_t>(bytes.size())) {
-    throw IoError("Could not build the project file.");
-  }
-  return bytes;
+void writeArchive(const std::filesystem::path& path, const Archive& archive, const Progress& progress) {
+  replaceFile(path, [&](const std::filesystem::path& temporary) {
+    int code = 0;
+    ArchiveHandle handle(zip_open(temporary.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+    if (!handle) {
+      zip_error_t error;
+      zip_error_init_with_code(&error, code);
+      throw IoError(format("Could not write {}: {}.", path.string(), messageOf(error)));
+    }
+    for (const ArchiveMember& member : archive.members) {
+      add(handle.get(), path, member);
+    }
+    Progress asked = progress;
+    zip_register_cancel_callback_with_state(handle.get(), isCancelled, nullptr, &asked);
+    if (zip_close(handle.get()) != 0) {
+      progress.throwIfCancelled();
+      failToBuild(handle.get(), path);
+    }
+    handle.release();
+  });
 }
 
 }  // namespace pbffd

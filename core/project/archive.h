@@ -22,7 +22,7 @@ struct ArchiveMember {
   const std::string& content() const { return shared ? *shared : bytes; }
 };
 
-/// A ZIP archive in memory, its members in order: the only user of libzip.
+/// The members of a ZIP archive, in order: the only user of libzip.
 struct Archive {
   std::vector<ArchiveMember> members;
 
@@ -34,7 +34,8 @@ struct Archive {
 /// no archive, cut off, a member that is damaged, encrypted, or larger unpacked than any project.
 Archive readArchive(const std::filesystem::path& path, const Progress& progress = {});
 
-/// The archive's bytes; the same for the same members. Throws IoError, Cancelled.
-std::string encodeArchive(const Archive& archive, const Progress& progress = {});
+/// Replaces `path` by the archive (replaceFile), without a copy of it in memory; the same bytes for the same
+/// members. Throws IoError that names the file, Cancelled; `path` is then untouched.
+void writeArchive(const std::filesystem::path& path, const Archive& archive, const Progress& progress = {});
 
 }  // namespace pbffd

@@ -152,9 +152,7 @@ LoadedProject loadProject(const std::filesystem::path& path, const Progress& pro
 void saveProject(const std::filesystem::path& path, const Project& project, const ProjectExtras& extras,
                  const Progress& progress) {
   progress.report("Saving the project");
-  const std::string bytes = encodeArchive(archiveOf(project, extras, progress), progress);
-  progress.throwIfCancelled();
-  writeFileAtomically(path, bytes);
+  writeArchive(path, archiveOf(project, extras, progress), progress);
 }
 
 }  // namespace pbffd

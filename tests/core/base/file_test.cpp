@@ -35,6 +35,21 @@ class FileTest : public QObject {
     QVERIFY(!std::filesystem::exists(path));
   }
 
+  void aReplacementThatFailsLeavesWhatWasThere() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("a.txt").toStdString();
+    writeFileAtomically(path, "old");
+    const auto fails = [](const std::filesystem::path& temporary) {
+      writeFileAtomically(temporary, "new");
+      throw Cancelled();
+    };
+    QVERIFY_EXCEPTION_THROWN(replaceFile(path, fails), Cancelled);
+    QCOMPARE(readFile(path), std::string("old"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+    replaceFile(path, [](const auto& temporary) { writeFileAtomically(temporary, "new"); });
+    QCOMPARE(readFile(path), std::string("new"));
+  }
+
   void writingThroughALinkLeavesTheLink() {
     const QTemporaryDir folder;
     const std::filesystem::path root = folder.path().toStdString();

@@ -3,6 +3,11 @@
 
 #include <QtTest>
 
+#include <sys/resource.h>
+
+#include <csignal>
+#include <iterator>
+
 namespace pbffd {
 
 using test::contains;
@@ -229,17 +234,17 @@ class ProjectFileDamageTest : public QObject, private test::SavedProject {
     saveProject(path(), edited());
     Archive archive = readArchive(path());
     archive.members.erase(archive.members.begin());
-    writeFileAtomically(path(), encodeArchive(archive));
+    writeArchive(path(), archive);
     QVERIFY(contains(refusal(), "there is no project.json"));
   }
 
   void membersOfOneNameAreRefused() {
     saveProject(path(), edited());
-    std::string bytes = readFile(path());
     // A member of another name of the same length is renamed in the bytes.
     Archive archive = readArchive(path());
     archive.members.push_back({"project.jsoo", "{}", false});
-    bytes = encodeArchive(archive);
+    writeArchive(path(), archive);
+    std::string bytes = readFile(path());
     for (std::size_t at = bytes.find("project.jsoo"); at != std::string::npos;
          at = bytes.find("project.jsoo")) {
       bytes.replace(at, 12, "project.json");
@@ -248,11 +253,33 @@ class ProjectFileDamageTest : public QObject, private test::SavedProject {
     QVERIFY(contains(refusal(), "project.json is in it twice"));
   }
 
+  void aDiskWithoutRoomLeavesTheFileThatWasThere() {
+    saveProject(path(), edited());
+    const std::string before = readFile(path());
+    rlimit limit{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{before.size() / 2, limit.rlim_max};
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::string message;
+    try {
+      saveProject(path(), edited());
+    } catch (const IoError& error) {
+      message = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, handler);
+    QVERIFY2(contains(message, path().string() + ": File too large."), message.c_str());
+    QVERIFY(readFile(path()) == before);
+    const std::filesystem::directory_iterator files(path().parent_path());
+    QCOMPARE(std::distance(begin(files), end(files)), std::ptrdiff_t{1});
+  }
+
   void absurdlyPackedMembersAreRefused() {
     saveProject(path(), edited());
     Archive archive = readArchive(path());
     archive.members.push_back({"zeros.bin", std::string(std::size_t{80} << 20, '\0'), true});
-    writeFileAtomically(path(), encodeArchive(archive));
+    writeArchive(path(), archive);
     QVERIFY(contains(refusal(), "zeros.bin in it claims to unpack to 80 MiB"));
   }
 

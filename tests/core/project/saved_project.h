@@ -51,7 +51,7 @@ class SavedProject {
     Json json = Json::parse(archive.members[0].bytes);
     edit(archive, json);
     archive.members[0].bytes = json.dump();
-    writeFileAtomically(path(), encodeArchive(archive));
+    writeArchive(path(), archive);
   }
 
   void changeText(const std::string& from, const std::string& to) const {
@@ -59,7 +59,7 @@ class SavedProject {
     Archive archive = readArchive(path());
     std::string& text = archive.members[0].bytes;
     text.replace(text.find(from), from.size(), to);
-    writeFileAtomically(path(), encodeArchive(archive));
+    writeArchive(path(), archive);
   }
 
   /// The message with which the file is refused; empty where it is not.

@@ -218,7 +218,7 @@ QString LevelEditingTest::changedProject(const std::string& from, const std::str
   Archive archive = readArchive(path.toStdString());
   std::string& text = archive.members[0].bytes;
   text.replace(text.find(from), from.size(), to);
-  writeFileAtomically(path.toStdString(), encodeArchive(archive));
+  writeArchive(path.toStdString(), archive);
   return path;
 }
 

@@ -1,6 +1,7 @@
 #include "core/mesh/face_vertices.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pbffd {
 
@@ -12,16 +13,21 @@ std::vector<bool> hasFaceFlags(const Mesh& mesh) {
   return hasFace;
 }
 
-Points positionsOfFaces(const Mesh& mesh) {
+FacePositions::FacePositions(const Mesh& mesh) : points_(&mesh.positions) {
   const std::vector<bool> hasFace = hasFaceFlags(mesh);
-  Points surface(std::count(hasFace.begin(), hasFace.end(), true), 3);
+  const auto count = std::count(hasFace.begin(), hasFace.end(), true);
+  if (count == mesh.positions.rows()) {
+    return;
+  }
+  Points surface(count, 3);
   Index row = 0;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     if (hasFace[v]) {
       surface.row(row++) = mesh.positions.row(v);
     }
   }
-  return surface;
+  own_ = std::make_unique<const Points>(std::move(surface));
+  points_ = own_.get();
 }
 
 }  // namespace pbffd

@@ -67,11 +67,12 @@ struct Mesh {
 };
 
 /// T x 3 vertices: each face as a fan from its first corner, or by cutting ears where it is not convex.
-/// Faces of fewer than three corners give none. `faceOfTriangle`, where asked for, has T entries.
+/// Faces of fewer than three corners give none.
 struct Triangles {
   std::vector<Index> vertices;        ///< 3 a triangle
-  std::vector<Index> faceOfTriangle;  ///< one a triangle
-  Index size() const { return static_cast<Index>(faceOfTriangle.size()); }
+  std::vector<Index> faceOfTriangle;  ///< one a triangle; none where every face is a triangle
+  Index size() const { return static_cast<Index>(vertices.size() / 3); }
+  Index faceOf(Index triangle) const { return faceOfTriangle.empty() ? triangle : faceOfTriangle[triangle]; }
 };
 Triangles triangulate(const Points& positions, const Polygons& faces);
 

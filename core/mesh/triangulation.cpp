@@ -115,10 +115,23 @@ void addPolygon(Triangles& triangles, const Points& positions, std::span<const I
   }
 }
 
+bool areTriangles(const Polygons& faces) {
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (faces[f].size() != 3) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Triangles triangulate(const Points& positions, const Polygons& faces) {
   Triangles triangles;
+  if (areTriangles(faces)) {
+    triangles.vertices = faces.vertices();
+    return triangles;
+  }
   const std::size_t corners = faces.vertices().size();
   const std::size_t count = static_cast<std::size_t>(faces.size());
   const std::size_t expected = corners > 2 * count ? corners - 2 * count : 0;

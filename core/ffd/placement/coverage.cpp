@@ -92,12 +92,12 @@ class Cover {
 
   /// The nearest vertex that has a face.
   Vec3 nearestOnSurface(const Vec3& center) {
-    const auto& [positions, nearest] = surface_.get([&] {
-      Points surface = positionsOfFaces(mesh_.mesh());
-      NearestPoints tree(surface);
-      return std::pair(std::move(surface), std::move(tree));
+    const auto& [surface, tree] = surface_.get([&] {
+      FacePositions positions(mesh_.mesh());
+      NearestPoints nearest = NearestPoints::over(positions.points());
+      return std::pair(std::move(positions), std::move(nearest));
     });
-    return positions.row(nearest.nearest(center).index);
+    return surface.points().row(tree.nearest(center).index);
   }
 
   void growToTouch(const Progress& progress) {
@@ -178,7 +178,7 @@ class Cover {
   ReachWalks walks_;
   SlotBits hasFace_;
   SlotBits isReached_;
-  Lazy<std::pair<Points, NearestPoints>> surface_;
+  Lazy<std::pair<FacePositions, NearestPoints>> surface_;
   Index grown_ = 0;
 };
 

@@ -78,7 +78,8 @@ void requirePlaceable(const RestMesh& mesh) {
   requireFinite(mesh);
   // Nothing takes more memory while it is made: it comes before the triangles, which are kept.
   static_cast<void>(mesh.topology());
-  const Points surface = positionsOfFaces(mesh.mesh());
+  const FacePositions ofFaces(mesh.mesh());
+  const Points& surface = ofFaces.points();
   requireUsableSize(surface);
   const Vec3 spread = spreadOf(surface);
   const char* const where = spread[2] == 0.0                        ? "in one point"

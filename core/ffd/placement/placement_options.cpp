@@ -53,7 +53,8 @@ void requireValid(const PlacementOptions& options) {
 
 Master makeMaster(const RestMesh& mesh, double value, MasterMode mode) {
   constexpr double margin = 1.2;
-  const Points surface = mesh.mesh().faces.empty() ? mesh.positions() : positionsOfFaces(mesh.mesh());
+  const FacePositions ofFaces(mesh.mesh());
+  const Points& surface = mesh.mesh().faces.empty() ? mesh.positions() : ofFaces.points();
   const Vec3 center = boundsOf(surface).center();
   double squared = 0.0;
   for (Eigen::Index v = 0; v < surface.rows(); ++v) {

@@ -58,9 +58,9 @@ void SurfaceParts::nameParts(const std::vector<Index>& partOfFace) {
     }
   }
   const Triangles& triangles = mesh_->triangles();
-  partOfTriangle_.reserve(triangles.faceOfTriangle.size());
-  for (const Index face : triangles.faceOfTriangle) {
-    partOfTriangle_.push_back(partOfFace[face]);
+  partOfTriangle_.reserve(static_cast<std::size_t>(triangles.size()));
+  for (Index t = 0; t < triangles.size(); ++t) {
+    partOfTriangle_.push_back(partOfFace[triangles.faceOf(t)]);
   }
 }
 

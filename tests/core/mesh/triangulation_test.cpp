@@ -56,6 +56,23 @@ class TriangulationTest : public QObject {
     QCOMPARE(triangulate(mesh.positions, mesh.faces).size(), 2);
   }
 
+  void trianglesKnowTheirFaces() {
+    Mesh mesh;
+    mesh.positions = test::cube().positions;
+    mesh.faces.add(std::vector<Index>{0, 1, 2});
+    mesh.faces.add(std::vector<Index>{4, 5, 6});
+    const Triangles alone = triangulate(mesh.positions, mesh.faces);
+    QVERIFY(alone.vertices == mesh.faces.vertices());
+    QCOMPARE(alone.faceOf(1), 1);
+    mesh.faces.add(std::vector<Index>{0, 1});
+    mesh.faces.add(std::vector<Index>{4, 5, 7, 6});
+    const Triangles mixed = triangulate(mesh.positions, mesh.faces);
+    QCOMPARE(mixed.size(), 4);
+    QCOMPARE(mixed.faceOf(1), 1);
+    QCOMPARE(mixed.faceOf(2), 3);
+    QCOMPARE(mixed.faceOf(3), 3);
+  }
+
   void normalsOfASpherePointOutwards() {
     const Mesh sphere = test::sphere(40, 80);
     const Points normals = vertexNormals(sphere.positions, triangulate(sphere.positions, sphere.faces));

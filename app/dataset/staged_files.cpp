@@ -5,7 +5,6 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,20 +24,6 @@ fs::path existingFolder(fs::path folder) {
     folder = folder.parent_path();
   }
   return folder.empty() ? fs::path(".") : folder;
-}
-
-/// Waits until the disk has the whole file, called `name` in messages.
-void synchronize(const fs::path& file, const fs::path& name) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  // Not every file system can.
-  const bool failed = descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS);
-  const int code = errno;
-  if (descriptor >= 0) {
-    ::close(descriptor);
-  }
-  if (failed) {
-    failToWrite(name, code);
-  }
 }
 
 }  // namespace

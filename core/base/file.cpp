@@ -68,17 +68,6 @@ void writeAll(int descriptor, std::string_view bytes, const std::filesystem::pat
   }
 }
 
-/// Has the system put it on the disk.
-void sync(const std::string& temporary, const std::filesystem::path& path) {
-  const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) {
-    failToWrite(path, errno);
-  }
-  if (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
-    failToWrite(path, errno);
-  }
-}
-
 /// Permissions of the file that is replaced, else what the user's mask gives a new file.
 mode_t permissionsFor(const std::filesystem::path& path) {
   struct stat status {};
@@ -141,6 +130,13 @@ std::string readFile(const std::filesystem::path& path) {
   return bytes;
 }
 
+void synchronize(const std::filesystem::path& file, const std::filesystem::path& name) {
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (opened.get() < 0 || (::fsync(opened.get()) != 0 && errno != EINVAL && errno != EROFS)) {
+    failToWrite(name, errno);
+  }
+}
+
 void replaceFile(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write) {
   // A link is followed, so that saving through it does not replace it.
@@ -151,7 +147,7 @@ void replaceFile(const std::filesystem::path& path,
   }
   try {
     write(temporary);
-    sync(temporary, path);
+    synchronize(temporary, path);
     if (::chmod(temporary.c_str(), permissionsFor(target)) != 0 ||
         ::rename(temporary.c_str(), target.c_str()) != 0) {
       failToWrite(path, errno);

@@ -19,6 +19,10 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view byt
 void replaceFile(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Waits until the disk has the whole file, called `name` in messages; at once on file systems that cannot. Throws
+/// IoError.
+void synchronize(const std::filesystem::path& file, const std::filesystem::path& name);
+
 /// Where writing to `path` ends: links are followed, also one to a file that is not there yet. Throws IoError
 /// where something is there that is no regular file.
 std::filesystem::path writeTarget(const std::filesystem::path& path);

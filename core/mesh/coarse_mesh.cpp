@@ -39,7 +39,7 @@ bool isTurnedAgainstItsVertices(const RestMesh& mesh, const Corners& corners) {
 }
 
 /// The vertices that are used, and the corners by their places among them.
-CoarseMesh compact(const RestMesh& mesh, std::vector<Index> corners) {
+CoarseMesh compact(const RestMesh& mesh, std::span<const Index> corners) {
   std::vector<Index> place(static_cast<std::size_t>(mesh.vertexCount()), -1);
   for (const Index vertex : corners) {
     place[vertex] = 0;
@@ -51,16 +51,15 @@ CoarseMesh compact(const RestMesh& mesh, std::vector<Index> corners) {
       coarse.vertices.push_back(v);
     }
   }
-  for (Index& corner : corners) {
-    corner = place[corner];
-  }
-  coarse.triangles = std::move(corners);
+  coarse.triangles.resize(corners.size());
+  std::transform(corners.begin(), corners.end(), coarse.triangles.begin(),
+                 [&](Index vertex) { return place[vertex]; });
   return coarse;
 }
 
 double areaOf(const RestMesh& mesh, const Progress& progress) {
   double sum = 0.0;
-  const std::vector<Index>& corners = mesh.triangles().vertices;
+  const std::span<const Index> corners = mesh.triangles().vertices();
   forEachIn(mesh.triangles().size(), progress, [&](Index t) {
     const Index* const corner = &corners[3 * static_cast<std::size_t>(t)];
     const Vec3 first = mesh.positions().row(corner[0]);
@@ -127,7 +126,7 @@ FoundGrid findGrid(const RestMesh& mesh, Index most, const Progress& progress) {
 CoarseMesh coarseMesh(const RestMesh& mesh, Index mostTriangles, const Progress& progress) {
   const Index most = std::max<Index>(mostTriangles, 1);
   if (mesh.triangles().size() <= most) {
-    return compact(mesh, mesh.triangles().vertices);
+    return compact(mesh, mesh.triangles().vertices());
   }
   const FoundGrid found = findGrid(mesh, most, progress);
   const std::vector<Index> standIns = found.clusters->standIns(progress);
@@ -138,7 +137,7 @@ CoarseMesh coarseMesh(const RestMesh& mesh, Index mostTriangles, const Progress&
     const bool isFolded = isTurnedAgainstItsVertices(mesh, vertices);
     corners.insert(corners.end(), {vertices[0], vertices[isFolded ? 2 : 1], vertices[isFolded ? 1 : 2]});
   }
-  return compact(mesh, std::move(corners));
+  return compact(mesh, corners);
 }
 
 }  // namespace pbffd

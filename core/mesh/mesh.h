@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pbffd {
@@ -66,14 +67,32 @@ struct Mesh {
   Index vertexCount() const { return static_cast<Index>(positions.rows()); }
 };
 
-/// T x 3 vertices: each face as a fan from its first corner, or by cutting ears where it is not convex.
-/// Faces of fewer than three corners give none.
-struct Triangles {
-  std::vector<Index> vertices;        ///< 3 a triangle
-  std::vector<Index> faceOfTriangle;  ///< one a triangle; none where every face is a triangle
-  Index size() const { return static_cast<Index>(vertices.size() / 3); }
-  Index faceOf(Index triangle) const { return faceOfTriangle.empty() ? triangle : faceOfTriangle[triangle]; }
+/// Triangles over the vertices of a mesh. Faces that all are triangles are named where they are, with no copy
+/// of them, and must then outlive this.
+class Triangles {
+ public:
+  explicit Triangles(const Polygons& faces) : vertices_(faces.vertices()) {}
+  Triangles(std::vector<Index> vertices, std::vector<Index> faceOfTriangle)
+      : cut_(std::move(vertices)), vertices_(cut_), faceOfTriangle_(std::move(faceOfTriangle)) {}
+  Triangles(Triangles&&) noexcept = default;  // a vector that moves keeps its place in memory
+  Triangles& operator=(Triangles&&) noexcept = default;
+  Triangles(const Triangles&) = delete;
+  Triangles& operator=(const Triangles&) = delete;
+
+  Index size() const { return static_cast<Index>(vertices_.size() / 3); }
+  /// 3 a triangle.
+  std::span<const Index> vertices() const& { return vertices_; }
+  std::span<const Index> vertices() const&& = delete;  // would look at what is gone
+  Index faceOf(Index triangle) const { return faceOfTriangle_.empty() ? triangle : faceOfTriangle_[triangle]; }
+
+ private:
+  std::vector<Index> cut_;
+  std::span<const Index> vertices_;
+  std::vector<Index> faceOfTriangle_;  ///< none where every face is a triangle
 };
+
+/// Each face as a fan from its first corner, or by cutting ears where it is not convex. Faces of fewer than
+/// three corners give none.
 Triangles triangulate(const Points& positions, const Polygons& faces);
 
 /// An axis-aligned box.

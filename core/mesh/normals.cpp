@@ -7,7 +7,7 @@ namespace pbffd {
 Points vertexNormals(const Points& positions, const Triangles& triangles) {
   Points normals = Points::Zero(positions.rows(), 3);
   for (Index t = 0; t < triangles.size(); ++t) {
-    const Index* corner = &triangles.vertices[3 * static_cast<std::size_t>(t)];
+    const Index* corner = &triangles.vertices()[3 * static_cast<std::size_t>(t)];
     const Vec3 origin = positions.row(corner[0]);
     const Vec3 a = positions.row(corner[1]).transpose() - origin;
     const Vec3 b = positions.row(corner[2]).transpose() - origin;

@@ -16,7 +16,7 @@ namespace {
 /// Boxes are kept in single precision and are a little larger than what they hold.
 constexpr float margin = 1e-6F;
 
-Bounds boundsOfCorners(const Points& positions, const std::vector<Index>& corners) {
+Bounds boundsOfCorners(const Points& positions, std::span<const Index> corners) {
   Bounds bounds;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 at = positions.row(corners[i]);
@@ -26,7 +26,7 @@ Bounds boundsOfCorners(const Points& positions, const std::vector<Index>& corner
   return bounds;
 }
 
-std::vector<Index> inMortonOrder(const Points& positions, const std::vector<Index>& corners,
+std::vector<Index> inMortonOrder(const Points& positions, std::span<const Index> corners,
                                  const Bounds& bounds) {
   const MortonCode code(bounds);
   std::vector<std::pair<std::uint64_t, Index>> order(corners.size() / 3);
@@ -94,7 +94,7 @@ struct TriangleTree::Segment {
   }
 };
 
-TriangleTree::TriangleTree(const Points& positions, const std::vector<Index>& corners) : positions_(positions) {
+TriangleTree::TriangleTree(const Points& positions, std::span<const Index> corners) : positions_(positions) {
   const Bounds bounds = boundsOfCorners(positions, corners);
   const double longest = (bounds.high - bounds.low).maxCoeff();
   origin_ = bounds.center();

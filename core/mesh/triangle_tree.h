@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace pbffd {
@@ -17,7 +18,7 @@ class TriangleTree {
   using Lanes = Eigen::Array<float, arity, 1>;
 
   /// corners: 3 vertices a triangle. Coordinates must be finite.
-  TriangleTree(const Points& positions, const std::vector<Index>& corners);
+  TriangleTree(const Points& positions, std::span<const Index> corners);
 
   /// Whether a triangle meets the segment between the two points. Touching a border may count either way.
   bool isCrossed(const Vec3& from, const Vec3& to) const;

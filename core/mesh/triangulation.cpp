@@ -97,21 +97,27 @@ std::vector<std::array<int, 3>> cutEars(const std::vector<Corner>& corners) {
   return triangles;
 }
 
-void addTriangle(Triangles& triangles, Index face, Index a, Index b, Index c) {
-  triangles.vertices.insert(triangles.vertices.end(), {a, b, c});
-  triangles.faceOfTriangle.push_back(face);
-}
+/// Triangles while they are collected.
+struct CutFaces {
+  std::vector<Index> vertices;        ///< 3 a triangle
+  std::vector<Index> faceOfTriangle;  ///< one a triangle
 
-void addPolygon(Triangles& triangles, const Points& positions, std::span<const Index> corners, Index face) {
+  void add(Index face, Index a, Index b, Index c) {
+    vertices.insert(vertices.end(), {a, b, c});
+    faceOfTriangle.push_back(face);
+  }
+};
+
+void addPolygon(CutFaces& triangles, const Points& positions, std::span<const Index> corners, Index face) {
   const std::vector<Corner> flat = flattened(positions, corners);
   if (isFan(flat)) {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      addTriangle(triangles, face, corners[0], corners[i], corners[i + 1]);
+      triangles.add(face, corners[0], corners[i], corners[i + 1]);
     }
     return;
   }
   for (const auto& [a, b, c] : cutEars(flat)) {
-    addTriangle(triangles, face, corners[a], corners[b], corners[c]);
+    triangles.add(face, corners[a], corners[b], corners[c]);
   }
 }
 
@@ -127,11 +133,10 @@ bool areTriangles(const Polygons& faces) {
 }  // namespace
 
 Triangles triangulate(const Points& positions, const Polygons& faces) {
-  Triangles triangles;
   if (areTriangles(faces)) {
-    triangles.vertices = faces.vertices();
-    return triangles;
+    return Triangles(faces);
   }
+  CutFaces triangles;
   const std::size_t corners = faces.vertices().size();
   const std::size_t count = static_cast<std::size_t>(faces.size());
   const std::size_t expected = corners > 2 * count ? corners - 2 * count : 0;
@@ -140,12 +145,12 @@ Triangles triangulate(const Points& positions, const Polygons& faces) {
   for (Index f = 0; f < faces.size(); ++f) {
     const std::span<const Index> face = faces[f];
     if (face.size() == 3) {
-      addTriangle(triangles, f, face[0], face[1], face[2]);
+      triangles.add(f, face[0], face[1], face[2]);
     } else if (face.size() > 3) {
       addPolygon(triangles, positions, face, f);
     }
   }
-  return triangles;
+  return {std::move(triangles.vertices), std::move(triangles.faceOfTriangle)};
 }
 
 }  // namespace pbffd

@@ -35,7 +35,7 @@ class VertexClusters {
   void joinConnected(double side, const Progress& progress);
   void joinCells(double side, const Progress& progress);
   const Index* cornersOf(Index triangle) const {
-    return &mesh_.triangles().vertices[3 * static_cast<std::size_t>(triangle)];
+    return &mesh_.triangles().vertices()[3 * static_cast<std::size_t>(triangle)];
   }
   Corners clustersOf(Index triangle) const;
   std::vector<Error> errors(const Progress& progress) const;

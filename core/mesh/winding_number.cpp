@@ -125,7 +125,7 @@ class LeafAngleSums {
 
 }  // namespace
 
-double exactWindingNumber(const Points& positions, const std::vector<Index>& corners, const Vec3& point) {
+double exactWindingNumber(const Points& positions, std::span<const Index> corners, const Vec3& point) {
   double sum = 0.0;
   for (std::size_t t = 0; t < corners.size(); t += 3) {
     const auto at = [&](std::size_t k) -> Vec3 { return positions.row(corners[t + k]).transpose() - point; };
@@ -172,7 +172,7 @@ struct WindingNumber::Expansion {
   }
 };
 
-WindingNumber::WindingNumber(const Points& positions, const std::vector<Index>& corners)
+WindingNumber::WindingNumber(const Points& positions, std::span<const Index> corners)
     : tree_(positions, corners) {
   build();
 }

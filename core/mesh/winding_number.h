@@ -2,6 +2,7 @@
 
 #include "core/mesh/triangle_tree.h"
 
+#include <span>
 #include <vector>
 
 namespace pbffd {
@@ -9,7 +10,7 @@ namespace pbffd {
 /// The generalized winding number of a set of triangles about a point: 1 inside and 0 outside a closed
 /// surface whose normals look outward, a fraction near holes (Jacobson, Kavan and Sorkine-Hornung 2013).
 /// The exact sum over all triangles, in O(T) time.
-double exactWindingNumber(const Points& positions, const std::vector<Index>& corners, const Vec3& point);
+double exactWindingNumber(const Points& positions, std::span<const Index> corners, const Vec3& point);
 
 /// The same for many points: far parts of the surface count as a dipole and a quadrupole (Barill et al.
 /// 2018), near triangles exactly. O(log T) a point; off by less than 0.05. The same
@@ -17,7 +18,7 @@ double exactWindingNumber(const Points& positions, const std::vector<Index>& cor
 class WindingNumber {
  public:
   /// corners: 3 vertices a triangle. Coordinates must be finite.
-  WindingNumber(const Points& positions, const std::vector<Index>& corners);
+  WindingNumber(const Points& positions, std::span<const Index> corners);
 
   double at(const Vec3& point) const;
 

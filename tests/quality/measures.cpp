@@ -17,8 +17,8 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 Corners cornersOf(const Points& points, const Triangles& triangles, Index t) {
-  return {points.row(triangles.vertices[3 * t]), points.row(triangles.vertices[3 * t + 1]),
-          points.row(triangles.vertices[3 * t + 2])};
+  return {points.row(triangles.vertices()[3 * t]), points.row(triangles.vertices()[3 * t + 1]),
+          points.row(triangles.vertices()[3 * t + 2])};
 }
 
 /// The triangle's edges in its own plane, 2 x 2.
@@ -52,7 +52,7 @@ std::vector<std::pair<Index, Index>> neighbours(const Triangles& triangles) {
   std::vector<std::pair<Index, Index>> pairs;
   for (Index t = 0; t < triangles.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
-      const auto edge = std::minmax(triangles.vertices[3 * t + c], triangles.vertices[3 * t + (c + 1) % 3]);
+      const auto edge = std::minmax(triangles.vertices()[3 * t + c], triangles.vertices()[3 * t + (c + 1) % 3]);
       const auto [at, isNew] = open.try_emplace(edge, t);
       if (!isNew) {
         pairs.emplace_back(at->second, t);

@@ -45,8 +45,8 @@ class SolidsTest : public QObject {
     std::map<std::pair<Index, Index>, int> walked;
     for (Index t = 0; t < triangles.size(); ++t) {
       for (int c = 0; c < 3; ++c) {
-        const Index from = triangles.vertices[3 * t + c];
-        const Index to = triangles.vertices[3 * t + (c + 1) % 3];
+        const Index from = triangles.vertices()[3 * t + c];
+        const Index to = triangles.vertices()[3 * t + (c + 1) % 3];
         walked[std::minmax(from, to)] += from < to ? 1 : -1;
       }
     }

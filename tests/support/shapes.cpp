@@ -139,7 +139,7 @@ Mesh triangulated(const Mesh& mesh) {
   result.faces = Polygons();
   const Triangles triangles = triangulate(mesh.positions, mesh.faces);
   for (Index t = 0; t < triangles.size(); ++t) {
-    result.faces.add(std::span<const Index>(triangles.vertices).subspan(3 * t, 3));
+    result.faces.add(std::span<const Index>(triangles.vertices()).subspan(3 * t, 3));
   }
   return result;
 }

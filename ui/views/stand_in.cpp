@@ -54,7 +54,7 @@ void StandIn::listFans(const Triangles& all, const std::vector<Index>& placeOfVe
   made.fanStart.assign(made.slots.size() + 1, 0);
   const auto forEachTaken = [&](const auto& body) {
     forEachIn(all.size(), progress, [&](Index triangle) {
-      const Index* const corner = &all.vertices[3 * static_cast<std::size_t>(triangle)];
+      const Index* const corner = &all.vertices()[3 * static_cast<std::size_t>(triangle)];
       for (int k = 0; k < 3; ++k) {
         if (const Index place = placeOfVertex[corner[k]]; place >= 0) {
           body(place, corner[(k + 1) % 3], corner[(k + 2) % 3]);

@@ -17,8 +17,8 @@ RestBuffers::RestBuffers(const RestMesh& mesh) : origin_(mesh.bounds().center())
       normals_.push_back(static_cast<float>(normals(order[slot], i)));
     }
   }
-  triangles_.reserve(mesh.triangles().vertices.size());
-  for (const Index vertex : mesh.triangles().vertices) {
+  triangles_.reserve(mesh.triangles().vertices().size());
+  for (const Index vertex : mesh.triangles().vertices()) {
     triangles_.push_back(slotOfVertex[vertex]);
   }
 }

@@ -134,7 +134,7 @@ QImage renderThumbnail(const Points& positions, const Triangles& triangles, cons
     std::array<Vec3, 3> corners;
     std::array<Vec3, 3> cornerNormals;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index vertex = triangles.vertices[3 * t + k];
+      const Index vertex = triangles.vertices()[3 * t + k];
       const Vec3 offset = scale * (seen.row(vertex).transpose() - bounds.center());
       corners[k] = Vec3(0.5 * width + offset.x(), 0.5 * height - offset.y(), offset.z());
       cornerNormals[k] = normals.row(vertex).transpose();

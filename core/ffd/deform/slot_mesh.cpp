@@ -20,7 +20,7 @@ std::vector<Index> slotsOfTriangles(const RestMesh& mesh) {
   for (std::size_t slot = 0; slot < order.size(); ++slot) {
     slotOfVertex[static_cast<std::size_t>(order[slot])] = static_cast<Index>(slot);
   }
-  const std::vector<Index>& vertices = mesh.triangles().vertices;
+  const std::span<const Index> vertices = mesh.triangles().vertices();
   std::vector<Index> slots(vertices.size());
   std::transform(vertices.begin(), vertices.end(), slots.begin(),
                  [&](Index vertex) { return slotOfVertex[static_cast<std::size_t>(vertex)]; });

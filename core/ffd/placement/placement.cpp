@@ -56,7 +56,7 @@ bool haveCorners(const Polygons& faces) {
 }
 
 bool hasArea(const RestMesh& mesh) {
-  const std::vector<Index>& corners = mesh.triangles().vertices;
+  const std::span<const Index> corners = mesh.triangles().vertices();
   for (std::size_t t = 0; t < corners.size(); t += 3) {
     const auto at = [&](std::size_t k) -> Vec3 { return mesh.positions().row(corners[t + k]); };
     if (!(at(1) - at(0)).cross(at(2) - at(0)).isZero(0.0)) {

@@ -42,7 +42,7 @@ SurfaceParts::SurfaceParts(std::shared_ptr<const RestMesh> mesh, Surface how) : 
     std::vector<Index> corners;
     for (Index t = 0; t < triangles.size(); ++t) {
       if (!isClosed_[partOfTriangle_[t]]) {
-        corners.insert(corners.end(), &triangles.vertices[3 * t], &triangles.vertices[3 * t] + 3);
+        corners.insert(corners.end(), &triangles.vertices()[3 * t], &triangles.vertices()[3 * t] + 3);
       }
     }
     openParts_ = std::make_unique<TriangleTree>(workingPositions(), corners);
@@ -81,7 +81,7 @@ void SurfaceParts::measure() {
   for (Index t = 0; t < triangles.size(); ++t) {
     Vec3 p[3];
     for (int k = 0; k < 3; ++k) {
-      p[k] = mesh_->positions().row(triangles.vertices[3 * t + k]).transpose() - center;
+      p[k] = mesh_->positions().row(triangles.vertices()[3 * t + k]).transpose() - center;
     }
     const Vec3 twice = (p[1] - p[0]).cross(p[2] - p[0]);
     area_[partOfTriangle_[t]] += 0.5 * twice.norm();
@@ -94,7 +94,7 @@ void SurfaceParts::measure() {
 }
 
 std::vector<Index> SurfaceParts::closedCorners() const {
-  const std::vector<Index>& vertices = mesh_->triangles().vertices;
+  const std::span<const Index> vertices = mesh_->triangles().vertices();
   std::vector<Index> corners;
   corners.reserve(vertices.size());
   for (std::size_t t = 0; t < partOfTriangle_.size(); ++t) {
@@ -112,7 +112,7 @@ std::vector<Index> SurfaceParts::closedCorners() const {
 bool SurfaceParts::isInsideOut(Index triangle) const {
   constexpr double step = 1e-6;
   const auto at = [&](int k) -> Vec3 {
-    return workingPositions().row(mesh_->triangles().vertices[3 * triangle + k]);
+    return workingPositions().row(mesh_->triangles().vertices()[3 * triangle + k]);
   };
   const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
   const double size = round_ ? 1.0 : diagonal();
@@ -130,7 +130,7 @@ void SurfaceParts::turnPartsInsideOut() {
     if (!isClosed_[part] || signedVolume_[part] >= 0.0) {
       continue;
     }
-    const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(triangles.vertices[3 * t + k]); };
+    const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(triangles.vertices()[3 * t + k]); };
     if (const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm(); area > size[part]) {
       size[part] = area;
       largest[part] = t;
@@ -172,7 +172,7 @@ Vec3 SurfaceParts::vertexNormal(Index vertex) const {
 }
 
 Vec3 SurfaceParts::triangleNormal(Index triangle) const {
-  const std::vector<Index>& vertices = mesh_->triangles().vertices;
+  const std::span<const Index> vertices = mesh_->triangles().vertices();
   const auto at = [&](int k) -> Vec3 { return mesh_->positions().row(vertices[3 * triangle + k]); };
   const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
   return isTurned_[partOfTriangle_[triangle]] ? Vec3(-normal) : normal;
@@ -182,7 +182,7 @@ const WindingNumber& SurfaceParts::inside() const {
   return inside_->get([&] {
     const bool areAsTheyAre =
         countOf(false) == 0 && std::find(isTurned_.begin(), isTurned_.end(), true) == isTurned_.end();
-    return areAsTheyAre ? WindingNumber(workingPositions(), mesh_->triangles().vertices)
+    return areAsTheyAre ? WindingNumber(workingPositions(), mesh_->triangles().vertices())
                         : WindingNumber(workingPositions(), closedCorners());
   });
 }

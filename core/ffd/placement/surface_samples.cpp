@@ -21,7 +21,7 @@ constexpr double leastShareOfSpacing = 0.35;
 /// How sharply the surface turns at each vertex: the greatest angle between normals by length of edge.
 std::vector<double> curvatures(const SurfaceParts& parts) {
   const RestMesh& mesh = parts.mesh();
-  const std::vector<Index>& corners = mesh.triangles().vertices;
+  const std::span<const Index> corners = mesh.triangles().vertices();
   std::vector<double> curvature(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   for (std::size_t t = 0; t < corners.size(); t += 3) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -41,7 +41,7 @@ std::vector<double> curvatures(const SurfaceParts& parts) {
 /// A third of the area of the triangles around each vertex.
 std::vector<double> areasAround(const SurfaceParts& parts) {
   const RestMesh& mesh = parts.mesh();
-  const std::vector<Index>& corners = mesh.triangles().vertices;
+  const std::span<const Index> corners = mesh.triangles().vertices();
   std::vector<double> areas(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   for (std::size_t t = 0; t < corners.size(); t += 3) {
     const auto at = [&](std::size_t k) -> Vec3 { return mesh.positions().row(corners[t + k]); };
@@ -181,7 +181,7 @@ SurfaceSamples withFaceSamples(const SurfaceParts& parts, const SurfaceSamples& 
   }
   // Four darts for each that finds room; thrown by area, the faces in their order.
   const RestMesh& mesh = parts.mesh();
-  const std::vector<Index>& corners = mesh.triangles().vertices;
+  const std::span<const Index> corners = mesh.triangles().vertices();
   const double area = parts.areaOf(true) + parts.areaOf(false);
   const auto darts = 4 * static_cast<std::uint64_t>(count);
   const double spacing = std::sqrt(picksPerSquaredSpacing * area / count);

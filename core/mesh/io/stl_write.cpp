@@ -26,7 +26,7 @@ std::string writeStl(const Reshaped& shape) {
   std::string bytes = header(facets);
   bytes.reserve(stlHeaderBytes + stlFacetBytes * facets);
   for (std::size_t facet = 0; facet < facets; ++facet) {
-    const Index* corner = triangles.vertices.data() + 3 * facet;
+    const Index* corner = triangles.vertices().data() + 3 * facet;
     const Vec3 a = stlPosition(shape, corner[0]);
     const Vec3 b = stlPosition(shape, corner[1]);
     const Vec3 c = stlPosition(shape, corner[2]);

@@ -14,7 +14,8 @@ class TriangleTreeTest : public QObject {
  private Q_SLOTS:
   void segmentThroughTheWallCrosses() {
     const Mesh mesh = test::cube();
-    const TriangleTree tree(mesh.positions, triangulate(mesh.positions, mesh.faces).vertices);
+    const Triangles triangles = triangulate(mesh.positions, mesh.faces);
+    const TriangleTree tree(mesh.positions, triangles.vertices());
     QVERIFY(tree.isCrossed({0.1, 0.2, 0.3}, {0.1, 0.2, 0.7}));
     QVERIFY(tree.isCrossed({-3.0, 0.2, 0.3}, {3.0, 0.1, 0.2}));
     QVERIFY(!tree.isCrossed({0.1, 0.2, 0.3}, {-0.4, 0.2, -0.4}));
@@ -24,7 +25,8 @@ class TriangleTreeTest : public QObject {
 
   void agreesWithTheSidesOfASphere() {
     const Mesh mesh = test::sphere(40, 80);
-    const TriangleTree tree(mesh.positions, triangulate(mesh.positions, mesh.faces).vertices);
+    const Triangles triangles = triangulate(mesh.positions, mesh.faces);
+    const TriangleTree tree(mesh.positions, triangles.vertices());
     std::mt19937 random(3);
     std::uniform_real_distribution<double> share(-1.5, 1.5);
     const auto at = [&] { return Vec3(share(random), share(random), share(random)); };
@@ -52,7 +54,8 @@ class TriangleTreeTest : public QObject {
     for (const double scale : {1e-12, 1e12}) {
       const Vec3 shift = 1e6 * scale * Vec3(1, -2, 3);
       const Mesh mesh = test::placedAt(test::cube(), scale, shift);
-      const TriangleTree tree(mesh.positions, triangulate(mesh.positions, mesh.faces).vertices);
+      const Triangles triangles = triangulate(mesh.positions, mesh.faces);
+      const TriangleTree tree(mesh.positions, triangles.vertices());
       QVERIFY(tree.isCrossed(shift, shift + scale * Vec3(0.7, 0.1, 0.2)));
       QVERIFY(!tree.isCrossed(shift, shift + scale * Vec3(0.4, 0.1, 0.2)));
     }

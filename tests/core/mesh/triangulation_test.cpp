@@ -12,9 +12,9 @@ namespace {
 double area(const Points& positions, const Triangles& triangles) {
   double sum = 0.0;
   for (Index t = 0; t < triangles.size(); ++t) {
-    const Vec3 a = positions.row(triangles.vertices[3 * t]);
-    const Vec3 b = positions.row(triangles.vertices[3 * t + 1]);
-    const Vec3 c = positions.row(triangles.vertices[3 * t + 2]);
+    const Vec3 a = positions.row(triangles.vertices()[3 * t]);
+    const Vec3 b = positions.row(triangles.vertices()[3 * t + 1]);
+    const Vec3 c = positions.row(triangles.vertices()[3 * t + 2]);
     sum += 0.5 * (b - a).cross(c - a).norm();
   }
   return sum;
@@ -62,7 +62,7 @@ class TriangulationTest : public QObject {
     mesh.faces.add(std::vector<Index>{0, 1, 2});
     mesh.faces.add(std::vector<Index>{4, 5, 6});
     const Triangles alone = triangulate(mesh.positions, mesh.faces);
-    QVERIFY(alone.vertices == mesh.faces.vertices());
+    QVERIFY(alone.vertices().data() == mesh.faces.vertices().data());
     QCOMPARE(alone.faceOf(1), 1);
     mesh.faces.add(std::vector<Index>{0, 1});
     mesh.faces.add(std::vector<Index>{4, 5, 7, 6});

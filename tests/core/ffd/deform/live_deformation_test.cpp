@@ -210,7 +210,7 @@ class LiveDeformationTest : public QObject {
   void trianglesAreThoseOfTheMeshInSlots() {
     const test::Scene scene(test::cube(), 3);
     const LiveDeformation live(scene.mesh, weightsOf(scene));
-    const std::vector<Index>& vertices = scene.mesh->triangles().vertices;
+    const std::span<const Index> vertices = scene.mesh->triangles().vertices();
     QCOMPARE(live.triangleSlots().size(), vertices.size());
     for (std::size_t c = 0; c < vertices.size(); ++c) {
       QCOMPARE(scene.mesh->mortonOrder()[live.triangleSlots()[c]], vertices[c]);

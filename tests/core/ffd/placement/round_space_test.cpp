@@ -45,7 +45,8 @@ class RoundSpaceTest : public QObject {
 
   void whatIsInsideStaysInside() {
     const Mesh mesh = test::fork();
-    const std::vector<Index> corners = triangulate(mesh.positions, mesh.faces).vertices;
+    const Triangles triangles = triangulate(mesh.positions, mesh.faces);
+    const std::span<const Index> corners = triangles.vertices();
     // A reflection would turn the surface inside out.
     for (const Vec3& factors : {Vec3(1e6, 1, 1), Vec3(1, 1e6, 1), Vec3(1, 1, 1e6)}) {
       const Points needle = stretched(mesh.positions, factors);

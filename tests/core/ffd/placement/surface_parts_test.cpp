@@ -92,7 +92,7 @@ class SurfacePartsTest : public QObject {
     for (Index v = 0; v < 8; ++v) {
       QVERIFY(parts.vertexNormal(v).dot(parts.mesh().positions().row(v)) > 0.0);
     }
-    QVERIFY(parts.triangleNormal(0).dot(parts.mesh().positions().row(parts.mesh().triangles().vertices[0])) >
+    QVERIFY(parts.triangleNormal(0).dot(parts.mesh().positions().row(parts.mesh().triangles().vertices()[0])) >
             0.0);
   }
 

@@ -45,6 +45,10 @@ class Complaints {
   FILE* stream_;
 };
 
+/// Of so many points on one sphere Qhull makes one cell, which it goes through again for each of them: two spheres
+/// of 20,000 vertices take minutes.
+constexpr int greatestCell = 200;
+
 /// One run of Qhull. It leaves by longjmp where it gives up, so nothing with a destructor may live in the
 /// functions that call into it.
 class Run {
@@ -95,12 +99,15 @@ class Run {
             if (!qh_addpoint(qh, furthest, facet, qh->ONLYmax)) {
               return;
             }
+            noteCells(qh, self);
           }
         },
         nullptr);
   }
   /// Whether the last slice was used up.
   bool hasMore() const { return left_ == 0; }
+  /// Whether more than `greatestCell` points were found on one sphere.
+  bool hasGreatCell() const { return hasGreatCell_; }
   Index vertexCount() const { return qh_.num_vertices; }
   std::string complaint() { return complaints_.firstLine(); }
 
@@ -145,14 +152,27 @@ class Run {
     return failure == 0;
   }
 
+  /// Looks at the cells of the point that was added last.
+  static void noteCells(qhT* qh, void* self) {
+    vertexT* const vertex = qh->vertex_tail->previous;
+    facetT* neighbor = nullptr;
+    facetT** neighborp = nullptr;
+    FOREACHneighbor_(vertex) {
+      if (qh_setsize(qh, neighbor->vertices) > greatestCell) {
+        static_cast<Run*>(self)->hasGreatCell_ = true;
+      }
+    }
+  }
+
   const Points& points_;
   Complaints complaints_;
   qhT qh_;
   int left_ = 0;  ///< of the slice that is being added
+  bool hasGreatCell_ = false;
 };
 
 /// Few enough points at a time that a request to stop is heard at once, however slow the points are.
-bool addAllPoints(Run& run, Index total, const Progress& progress) {
+bool addAllPoints(Run& run, Index total, bool stopsAtGreatCell, const Progress& progress) {
   using Clock = std::chrono::steady_clock;
   int slice = 512;
   while (run.hasMore()) {
@@ -160,7 +180,7 @@ bool addAllPoints(Run& run, Index total, const Progress& progress) {
     progress.report("Placing points: cells",
                     static_cast<double>(run.vertexCount()) / static_cast<double>(total));
     const auto begin = Clock::now();
-    if (!run.addPoints(slice)) {
+    if (!run.addPoints(slice) || (stopsAtGreatCell && run.hasGreatCell())) {
       return false;
     }
     const auto spent = Clock::now() - begin;
@@ -190,22 +210,28 @@ Points joggled(const Points& points) {
 DelaunayCells delaunayCells(const Points& points, const Progress& progress) {
   const auto total = static_cast<Index>(points.rows());
   std::string complaint;
-  const auto attempt = [&](const Points& input, const char* options) -> std::optional<DelaunayCells> {
+  bool hasGreatCell = false;
+  const auto attempt = [&](const Points& input, const char* options,
+                           bool stopsAtGreatCell = false) -> std::optional<DelaunayCells> {
     Run run(input);
-    if (run.start(options) && addAllPoints(run, total, progress)) {
+    if (run.start(options) && addAllPoints(run, total, stopsAtGreatCell, progress)) {
       return run.cells();
     }
+    hasGreatCell = stopsAtGreatCell && run.hasGreatCell();
     complaint = run.complaint();
     return std::nullopt;
   };
-  if (auto cells = attempt(points, "qhull v Qbb")) {
+  if (auto cells = attempt(points, "qhull v Qbb", true)) {
     return *std::move(cells);
   }
-  // Points on one sphere (the corners of a cube) make no first simplex without a point at infinity.
-  if (auto cells = attempt(points, "qhull v Qbb Qz")) {
-    return *std::move(cells);
+  // Points all on one sphere (the corners of a cube) make no first simplex without a point at infinity.
+  if (!hasGreatCell) {
+    if (auto cells = attempt(points, "qhull v Qbb Qz")) {
+      return *std::move(cells);
+    }
   }
-  // Where rounding defeats that too. (Qhull's own option QJ is no help: it takes flat sets for solid ones.)
+  // Where rounding defeats that too, or great cells take too long. (Qhull's own option QJ is no help: it takes
+  // flat sets for solid ones.)
   if (auto cells = attempt(joggled(points), "qhull v Qbb Qz")) {
     return *std::move(cells);
   }

@@ -74,6 +74,23 @@ class VoronoiTest : public QObject {
     }
   }
 
+  void greatCellsAreCutUp() {
+    // Qhull takes minutes where it makes one cell of 20,000 sites.
+    const Mesh ball = test::sphere(25, 50);
+    const Points sites = test::merged(ball, test::placedAt(ball, 1.0, Vec3(3, 0, 0))).positions;
+    const VoronoiVertices vertices = voronoiVertices(sites);
+    Index centers = 0;
+    for (Index v = 0; v < vertices.size(); ++v) {
+      const Vec3 at = vertices.positions.row(v);
+      const double off = std::min(at.norm(), (at - Vec3(3, 0, 0)).norm());
+      QVERIFY(off < 1e-6 || off > 1.0 - 1e-6);
+      QVERIFY(vertices.sites(v).size() < 200);
+      QVERIFY(std::isfinite(vertices.radii[v]));
+      centers += off < 1e-6;
+    }
+    QVERIFY(centers >= 2);
+  }
+
   void regularGridIsNoTrap() {
     Points sites(512, 3);
     for (Index i = 0; i < 512; ++i) {

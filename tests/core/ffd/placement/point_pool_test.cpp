@@ -125,6 +125,21 @@ class PointPoolTest : public QObject {
     }
   }
 
+  void pairsWithoutAWallBetweenMergeFirst() {
+    // Two above the sheet, and one below that is nearer to each of them than they are to each other.
+    const SurfaceParts parts = sheetInBall(35);
+    PointPool pool;
+    pool.append(Vec3(0.00, 0.0, 0.05), 1);
+    pool.append(Vec3(0.12, 0.0, 0.05), 1);
+    pool.append(Vec3(0.06, 0.0, -0.04), 1);
+    pool.shrink();
+    QVERIFY(mergeClosestPairs(pool.points, 2).points != decimatedPool(pool, 2, Side::inside, parts, {}).points);
+    const PointPool two = decimatedPool(pool, 2, Side::inside, parts, {});
+    QCOMPARE(two.size(), 2);
+    QCOMPARE((two.points.col(2).array() > 0.0).count(), 1);
+    QVERIFY((two.points.rowwise() - Eigen::RowVector3d(0.06, 0.0, 0.05)).rowwise().norm().minCoeff() < 1e-12);
+  }
+
   void openPartInsideAClosedOneMergesOnceAlongItsWalls() {
     const SurfaceParts parts = sheetInBall(35);
     const PointPool pool = besideSheet(parts);

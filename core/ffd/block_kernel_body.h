@@ -259,10 +259,8 @@ struct BlockBody {
 
   /// Of one control point.
   template <class Distance, class Value>
-  static void addMembers(const double* points, const InfluenceNumbers& influence, const Distance& distance,
+  static void addMembers(const double* points, double strength, std::uint64_t members, const Distance& distance,
                          const Value& value, double* values, double* sums) {
-    const std::uint64_t members = influence.members;
-    const double strength = influence.strength;
     alignas(64) double own[16];
     for (std::size_t k = 0; k < 16; ++k) {
       const double all = strength * value(distance(points, k));
@@ -274,8 +272,8 @@ struct BlockBody {
     }
   }
 
-  static void memberValues(const double* points, const InfluenceNumbers* influences, std::size_t count,
-                           double* values, double* sums) {
+  static void memberValues(const double* points, const PointNumbers* level, const std::int32_t* list,
+                           const std::uint16_t* members, std::size_t count, double* values, double* sums) {
     if (count == 0) {
       return;
     }
@@ -283,10 +281,11 @@ struct BlockBody {
     for (std::size_t k = 0; k < 16; ++k) {
       total[k] = sums[k];
     }
-    withRadial(influences->radial, [&](const auto& value) {
+    withRadial(level[*list].radial, [&](const auto& value) {
       for (std::size_t i = 0; i < count; ++i) {
-        withDistance(influences[i].region, [&](const auto& distance) {
-          addMembers(points, influences[i], distance, value, values + 16 * i, total);
+        const PointNumbers& point = level[list[i]];
+        withDistance(point.region, [&](const auto& distance) {
+          addMembers(points, point.strength, members[i], distance, value, values + 16 * i, total);
         });
       }
     });

@@ -21,11 +21,15 @@ struct RadialNumbers {
   double sigma;
 };
 
-/// One control point over a block.
-struct InfluenceNumbers {
+/// One control point.
+struct PointNumbers {
   RegionNumbers region;
   RadialNumbers radial;
   double strength;
+};
+
+/// One control point over a block.
+struct InfluenceNumbers : PointNumbers {
   unsigned members;  ///< bit k: whether it moves the k-th point
 };
 
@@ -45,10 +49,11 @@ struct BlockKernels {
   unsigned (*nearBoxes)(const double* boxes, const double* place, double limit, double* squared);
   /// The basis values of 16 squared distances; 0 from the border on.
   void (*radial)(const RadialNumbers& radial, const double* uSquared, double* values);
-  /// Of one control point after the other, all with the same radial function, strength x basis value at the
-  /// members among 16 points and 0 at the others: 16 numbers each in `values`; adds them to the 16 `sums`.
-  void (*memberValues)(const double* points, const InfluenceNumbers* influences, std::size_t count,
-                       double* values, double* sums);
+  /// Of the control points in `list`, by their places in `level` and all with the same radial function, one after
+  /// the other: strength x basis value at the members among 16 points (bit k of `members` for the k-th) and 0 at
+  /// the others, 16 numbers each in `values`; adds them to the 16 `sums`.
+  void (*memberValues)(const double* points, const PointNumbers* level, const std::int32_t* list,
+                       const std::uint16_t* members, std::size_t count, double* values, double* sums);
   /// 1 over each of 16 sums; 0 where that is not finite.
   void (*inverses)(const double* sums, double* inverses);
   /// value x toWeight in single precision, of `count` times 16 values.

@@ -47,7 +47,7 @@ class ExactGradients : public BlockEvaluator {
         continue;
       }
       const Index j = list_.points[e];
-      const Vec3 ofValue = valueGradient(level_->basis(), level_->strength(j), level_->region(j), rest);
+      const Vec3 ofValue = valueGradient(level_->basis(), level_->numbers()[j].strength, level_->region(j), rest);
       sums.ofAllValues += ofValue;
       if (displacements_->isMoved[static_cast<std::size_t>(j)] != 0) {
         sums.addMoved(values_.entries()[e][lane] * toWeight,

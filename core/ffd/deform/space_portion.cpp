@@ -199,17 +199,16 @@ class PortionEvaluation {
         kernels.addSlope(blocks_.numbers(block), influence, sums);
       }
     };
-    const RadialNumbers radial = numbersOf(space_.values.basis());
     for (std::size_t e = 0; e < list.points.size(); ++e) {
       const Index j = list.points[e];
       const auto at = static_cast<std::size_t>(j);
       add(displacements.points[at], displacements.isMoved[at] != 0, block_.entries()[e],
-          {space_.values.region(j).numbers(), radial, space_.values.strength(j), list.members[e]});
+          {space_.values.numbers()[j], list.members[e]});
     }
     // A constant master has no slope anywhere.
     const unsigned varying = space_.values.hasMasterRegion() ? 0xffffU : 0U;
     add(displacements.master, displacements.isMasterMoved, block_.master(),
-        {space_.values.masterRegion().numbers(), radial, 1.0, varying});
+        {{space_.values.masterRegion().numbers(), numbersOf(space_.values.basis()), 1.0}, varying});
     return sums;
   }
 

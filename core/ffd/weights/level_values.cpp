@@ -10,10 +10,10 @@ LevelValues::LevelValues(const Basis& basis, const Master& master, const Level& 
       masterValue_(master.value),
       masterRegion_(master.rest) {
   regions_.reserve(static_cast<std::size_t>(level.size()));
-  strengths_.reserve(static_cast<std::size_t>(level.size()));
+  numbers_.reserve(static_cast<std::size_t>(level.size()));
   for (const ControlPoint& point : level) {
     regions_.emplace_back(point.rest);
-    strengths_.push_back(point.strength);
+    numbers_.push_back({regions_.back().numbers(), numbersOf(basis), point.strength});
   }
 }
 
@@ -27,17 +27,11 @@ Lanes LevelValues::master(const PointBlocks& blocks, Index block) const {
 }
 
 void BlockValues::evaluate(Index block, const BlockList& list) {
-  const RadialNumbers radial = numbersOf(values_->basis());
-  influences_.clear();
-  for (std::size_t e = 0; e < list.points.size(); ++e) {
-    const Index j = list.points[e];
-    influences_.push_back({values_->region(j).numbers(), radial, values_->strength(j), list.members[e]});
-  }
-  // One at least, so that there is memory to name where the list is empty.
-  entries_.resize(std::max({entries_.size(), influences_.size(), std::size_t{1}}));
+  count_ = list.points.size();
+  entries_.resize(std::max(entries_.size(), count_));
   Lanes total{};
-  blockKernels().memberValues(blocks_->numbers(block), influences_.data(), influences_.size(),
-                              entries_.data()->data(), total.data());
+  blockKernels().memberValues(blocks_->numbers(block), values_->numbers(), list.points.data(),
+                              list.members.data(), count_, entries_.data()->data(), total.data());
   master_ = values_->master(*blocks_, block);
   for (std::size_t k = 0; k < total.size(); ++k) {
     total[k] += master_[k];

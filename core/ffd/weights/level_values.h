@@ -13,10 +13,15 @@ namespace pbffd {
 class LevelValues {
  public:
   LevelValues(const Basis& basis, const Master& master, const Level& level);
+  LevelValues(LevelValues&&) noexcept = default;
+  LevelValues(const LevelValues&) = delete;
+  LevelValues& operator=(LevelValues&&) = delete;
+  LevelValues& operator=(const LevelValues&) = delete;
 
   const Basis& basis() const { return basis_; }
   const Region& region(Index point) const { return regions_[static_cast<std::size_t>(point)]; }
-  double strength(Index point) const { return strengths_[static_cast<std::size_t>(point)]; }
+  /// One a control point.
+  const PointNumbers* numbers() const { return numbers_.data(); }
   /// Whether the master's value varies in space (McDonnell & Qin's master).
   bool hasMasterRegion() const { return hasMasterRegion_; }
   const Region& masterRegion() const { return masterRegion_; }
@@ -27,7 +32,7 @@ class LevelValues {
  private:
   Basis basis_;
   std::vector<Region> regions_;
-  std::vector<double> strengths_;
+  std::vector<PointNumbers> numbers_;  ///< they name what the regions hold
   bool hasMasterRegion_;
   double masterValue_;
   Region masterRegion_;
@@ -56,7 +61,7 @@ class BlockValues {
   void evaluate(Index block, const BlockList& list);
 
   /// The values of the list's entries at the 16 points; 0 at those that are no members.
-  std::span<const Lanes> entries() const { return {entries_.data(), influences_.size()}; }
+  std::span<const Lanes> entries() const { return {entries_.data(), count_}; }
   const Lanes& master() const { return master_; }
   /// 1 over the sum of all values, taken in the order of the list and the master last; 0 where nothing
   /// reaches a point, which then stays.
@@ -65,8 +70,8 @@ class BlockValues {
  private:
   const LevelValues* values_;
   const PointBlocks* blocks_;
-  std::vector<InfluenceNumbers> influences_;  ///< of the list's entries
-  std::vector<Lanes> entries_;                ///< room for those of the longest list so far
+  std::vector<Lanes> entries_{1};  ///< room for those of the longest list so far
+  std::size_t count_ = 0;          ///< of those that belong to the list
   Lanes master_{};
   Lanes toWeight_{};
 };

@@ -55,12 +55,15 @@ class BlockKernelsTest : public QObject {
       const Basis basis{Kernel::wendland, 3.0};
       const std::array<double, 48> points = numbers<48>(1.0);
       const Region regions[2] = {Region(frame(0)), Region(frame(1))};
-      const InfluenceNumbers influences[2] = {{regions[0].numbers(), numbersOf(basis), 3.0, 0x8001U},
-                                              {regions[1].numbers(), numbersOf(basis), 0.5, 0xfffeU}};
+      const PointNumbers level[3] = {{regions[1].numbers(), numbersOf(basis), 0.5},
+                                     {regions[0].numbers(), numbersOf(basis), 7.0},
+                                     {regions[0].numbers(), numbersOf(basis), 3.0}};
+      const std::array<Index, 2> list{2, 0};
+      const std::array<std::uint16_t, 2> members{0x8001U, 0xfffeU};
       Lanes values[2];
       Lanes sums;
       sums.fill(1.0);
-      kernels->memberValues(points.data(), influences, 2, values[0].data(), sums.data());
+      kernels->memberValues(points.data(), level, list.data(), members.data(), 2, values[0].data(), sums.data());
       std::array<float, 32> weights{};
       Lanes toWeight;
       toWeight.fill(0.25);
@@ -68,8 +71,8 @@ class BlockKernelsTest : public QObject {
       for (std::size_t k = 0; k < 16; ++k) {
         for (std::size_t i = 0; i < 2; ++i) {
           const double square = regions[i].squaredDistance({points[k], points[16 + k], points[32 + k]});
-          const bool isMember = (influences[i].members >> k & 1U) != 0;
-          QVERIFY(isSame(values[i][k], isMember ? influences[i].strength * basisValue(basis, square) : 0.0));
+          const bool isMember = (members[i] >> k & 1U) != 0;
+          QVERIFY(isSame(values[i][k], isMember ? level[list[i]].strength * basisValue(basis, square) : 0.0));
           QCOMPARE(weights[16 * i + k], static_cast<float>(0.25 * values[i][k]));
         }
         QVERIFY(isSame(sums[k], 1.0 + values[0][k] + values[1][k]));

@@ -3,6 +3,7 @@
 #include "core/ffd/placement/placement_cache.h"
 #include "core/project/edit_functions.h"
 #include "core/project/edit_survivors.h"
+#include "core/project/shape.h"
 #include "core/project/symmetric_points.h"
 
 #include <algorithm>
@@ -71,6 +72,23 @@ void carryAlong(const EditScope& scope, ControlSet& placed) {
   placed.master.pose = moved(placed.master.rest, former.master.map());
 }
 
+/// How far the surface moved because other points carry it now.
+void remarkDifference(const EditScope& scope, const Project& after) {
+  if (isAtRest(scope.before.controls)) {
+    return;
+  }
+  const auto positions = [&](const Project& project) {
+    return deformedPositions(project, scope.workspace.weights, scope.progress);
+  };
+  const double greatest = (positions(after) - positions(scope.before)).rowwise().norm().maxCoeff();
+  const double share = greatest / scope.before.mesh->diagonal();
+  // Below a millionth it is rounding, and nothing that anybody could see.
+  scope.remarks.push_back(share < 1e-6 ? std::string("The edits are kept, and the shape is the same.")
+                                       : format("The edits are kept; the shape differs by at most {:.3g}, {:.2g} % "
+                                                "of its diagonal.",
+                                                greatest, 100.0 * share));
+}
+
 }  // namespace
 
 Project applied(const EditScope& scope, const Place& edit) {
@@ -94,6 +112,7 @@ Project applied(const EditScope& scope, const Place& edit) {
   after.controls =
       withStructure({after, scope.workspace, scope.progress, scope.remarks}, after.controls).controls;
   if (edit.keepEdits) {
+    remarkDifference(scope, after);
     return after;
   }
   // A reset that leaves locked points where they are.

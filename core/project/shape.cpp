@@ -3,6 +3,7 @@
 #include "core/ffd/deform/deformation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pbffd {
 
@@ -12,14 +13,22 @@ bool isAtRest(const ControlSet& set) {
                      [](const ControlPoint& point) { return point.pose == point.rest; });
 }
 
-DeformedShape deformedShape(const Project& project, WeightCache& weights, const Progress& progress) {
-  const RestMesh& mesh = *project.mesh;
+Points deformedPositions(const Project& project, WeightCache& weights, const Progress& progress) {
   if (isAtRest(project.controls)) {
-    return {mesh.positions(), {}};
+    return project.mesh->positions();
   }
   const auto parameterization = weights.parameterization(project.mesh, project.controls, progress);
-  return {deformExactly(mesh, project.controls, *parameterization, progress),
-          deformationGradients(mesh, project.controls, *parameterization, progress)};
+  return deformExactly(*project.mesh, project.controls, *parameterization, progress);
+}
+
+DeformedShape deformedShape(const Project& project, WeightCache& weights, const Progress& progress) {
+  Points positions = deformedPositions(project, weights, progress);
+  if (isAtRest(project.controls)) {
+    return {std::move(positions), {}};
+  }
+  const auto parameterization = weights.parameterization(project.mesh, project.controls, progress);
+  return {std::move(positions),
+          deformationGradients(*project.mesh, project.controls, *parameterization, progress)};
 }
 
 }  // namespace pbffd

@@ -9,6 +9,9 @@ namespace pbffd {
 /// Whether nothing moved that the mesh follows: the finest level and the master lie in their rest frames.
 bool isAtRest(const ControlSet& set);
 
+/// The vertices of the project's mesh in their present places, N x 3, in double precision.
+Points deformedPositions(const Project& project, WeightCache& weights, const Progress& progress = {});
+
 /// The project's mesh in its present pose, in double precision: what is exported. `gradients` stays empty
 /// where nothing moved.
 DeformedShape deformedShape(const Project& project, WeightCache& weights, const Progress& progress = {});

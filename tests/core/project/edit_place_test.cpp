@@ -1,3 +1,4 @@
+#include "core/base/text.h"
 #include "core/project/mirror.h"
 #include "core/project/shape.h"
 #include "tests/core/project/projects.h"
@@ -92,6 +93,24 @@ class EditPlaceTest : public QObject {
     QVERIFY(levelError(again) < 1e-11);
   }
 
+  void keptEditsSayHowFarTheShapeDiffers() {
+    EditWorkspace workspace;
+    const Project rest = placed();
+    const Edit again = Place{options(), true, std::nullopt};
+    QVERIFY(!says(apply(rest, again, workspace), "edits are kept"));
+
+    const Project bent = after(rest, Move{{3, {1, 2, 3, 4}}, {Vec3(0.3, 0, 0)}, Follow::none, {}});
+    Place fewer{options(), true, std::nullopt};
+    fewer.options.points = 20;
+    const EditResult result = apply(bent, fewer, workspace);
+    const Points moved = deformedShape(result.project, workspace.weights).positions -
+                         deformedShape(bent, workspace.weights).positions;
+    const double greatest = moved.rowwise().norm().maxCoeff();
+    QVERIFY(greatest > 1e-3);
+    QVERIFY(says(result, format("differs by at most {:.3g}, {:.2g} %", greatest,
+                                100.0 * greatest / bent.mesh->diagonal())));
+  }
+
   void symmetricPlacingMakesPartners() {
     const Project project = after(projectOf(mesh()), Place{options(), false, Axis::y});
     const std::vector<Index> partners =
@@ -118,6 +137,10 @@ class EditPlaceTest : public QObject {
   }
 
  private:
+  static bool says(const EditResult& result, const std::string& words) {
+    return std::any_of(result.remarks.begin(), result.remarks.end(),
+                       [&](const std::string& remark) { return contains(remark, words); });
+  }
   static PlacementOptions options() {
     PlacementOptions options;
     options.points = 60;

@@ -18,8 +18,10 @@
 namespace pbffd::ui {
 namespace {
 
-/// Where no edge is longer than this many pixels all of them have faded out, and are not drawn at all.
-constexpr double leastEdgePixels = 1.0;
+/// Edges of this many pixels have faded out: there they lie so close that they would be but dirt.
+constexpr float fadedPixels = 4.0F;
+/// Edges are not even listed where their mean is so much less than that, that hardly one is seen.
+constexpr double farLess = 0.5;
 constexpr double vertexPixels = 3.0;
 
 /// The mean length of some of the edges; longest sides count, since they fade last.
@@ -77,6 +79,7 @@ MeshActor::MeshActor(vtkRenderer& renderer) {
   edgeMapper_->SetInputData(edgeData_);
   edgeMapper_->MapDataArrayToVertexAttribute("edgeLength", "length", vtkDataObject::FIELD_ASSOCIATION_POINTS);
   edgeMapper_->setDepth(PassMapper::DepthTest::inFront, false);
+  edgeMapper_->setUniform("fadedPixels", fadedPixels);
   useShaders(*vertices_, *vertexMapper_, shaders::flatVertex, shaders::flatFragment);
   vertexMapper_->SetInputData(vertexData_);
   for (vtkActor* actor : {surface_.Get(), standIn_.Get(), edges_.Get(), vertices_.Get()}) {
@@ -132,6 +135,7 @@ void MeshActor::setBuffers(const SurfaceBuffers& buffers) {
   }
   if (hasEdges_) {
     edgeData_->SetPoints(points_);
+    edgeData_->GetPointData()->SetNormals(normals_);
   }
 }
 
@@ -208,12 +212,13 @@ void MeshActor::setPixelRatio(double ratio) {
 
 bool MeshActor::areEdgesSeen() const {
   return mode_ == DisplayMode::wire && surfaceData_->GetNumberOfPoints() > 0 &&
-         roughEdgeLength_ * pixelsPerUnitNearest_ > leastEdgePixels;
+         roughEdgeLength_ * pixelsPerUnitNearest_ > farLess * fadedPixels;
 }
 
 void MeshActor::makeEdges() {
   const MeshEdges edges = meshEdges(*mesh_);
   edgeData_->SetPoints(points_);
+  edgeData_->GetPointData()->SetNormals(normals_);
   edgeData_->SetLines(cellsOf(edges.slots, 2));
   setAttribute(*edgeData_, edges.meanLengths, 1, "length");
   hasEdges_ = true;

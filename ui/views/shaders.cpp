@@ -82,15 +82,20 @@ void main() {
 
 const char* const edgeVertex = R"(//VTK::System::Dec
 in vec4 vertexMC;
+in vec3 normalMC;
 in float edgeLength;
 uniform mat4 MCVCMatrix;
 uniform mat4 VCDCMatrix;
 uniform int cameraParallel;
 uniform float pixelsPerUnit;
+uniform float fadedPixels;
 uniform float towardsEye;
 out float strength;
 void main() {
   vec4 positionVC = MCVCMatrix * vertexMC;
+  vec3 toEye = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-positionVC.xyz);
+  vec3 normalVC = mat3(MCVCMatrix) * normalMC;
+  float facing = abs(dot(normalVC, toEye)) / max(length(normalVC), 1e-20);
   // Towards the eye by a hair, so that the surface does not hide its own edges.
   if (cameraParallel != 0) {
     positionVC.z += towardsEye;
@@ -98,7 +103,8 @@ void main() {
     positionVC.xyz *= 1.0 - 0.001;
   }
   gl_Position = VCDCMatrix * positionVC;
-  strength = smoothstep(1.5, 4.0, edgeLength * pixelsPerUnit / gl_Position.w);
+  // As near to one another as the turn of the surface brings them.
+  strength = smoothstep(fadedPixels, 3.0 * fadedPixels, facing * edgeLength * pixelsPerUnit / gl_Position.w);
 }
 )";
 

@@ -174,6 +174,30 @@ class ViewportTest : public QObject {
     QVERIFY(test::differingPixels(seeThrough, hidden) > 5000);
   }
 
+  void edgesFadeWhereTheyLieCloseTogether() {
+    const auto strength = [](int squares, bool isTilted) {
+      test::OpenView open(pbffd::test::sheet(squares), {});
+      open.view.setGridShown(false);
+      open.viewport.lookFrom(Viewport::Side::front);
+      open.viewport.orbitBy(isTilted ? 75 : 0, 0);
+      const QImage wire = open.frame();
+      open.view.setDisplayMode(DisplayMode::shaded);
+      const QImage shaded = open.frame();
+      int tolerance = 0;
+      while (test::differingPixels(wire, shaded, tolerance) > 0) {
+        ++tolerance;
+      }
+      return tolerance;
+    };
+    // Squares of 38, 8 and 3 pixels; those of 8 tilted so that they are 2 wide.
+    const int wide = strength(10, false);
+    const int close = strength(48, false);
+    QVERIFY2(wide > 10, QByteArray::number(wide).constData());
+    QVERIFY2(close > 1 && close < wide - 3, QByteArray::number(close).constData());
+    QCOMPARE(strength(48, true), 0);
+    QCOMPARE(strength(128, false), 0);
+  }
+
   void ghostIsSeenBesideTheMovedShapeOnly() {
     test::OpenView open(pbffd::test::sphere(), cubePoints);
     QVERIFY(open.document.perform(moveOf(1, Vec3(-0.4, -0.5, 0))));

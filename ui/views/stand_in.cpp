@@ -12,6 +12,17 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
+Vec3 rowOf(const std::vector<float>& rows, Index row) {
+  const float* const first = rows.data() + 3 * static_cast<std::size_t>(row);
+  return {first[0], first[1], first[2]};
+}
+
+void setRow(std::vector<float>& rows, std::size_t row, const Vec3& value) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rows[3 * row + axis] = static_cast<float>(value[static_cast<Index>(axis)]);
+  }
+}
+
 }  // namespace
 
 StandIn::StandIn(QObject* parent, Coarsen coarsen) : QObject(parent), coarsen_(std::move(coarsen)) {
@@ -41,20 +52,21 @@ StandIn::Made StandIn::made(const CoarseMesh& coarse, const RestMesh& mesh, cons
   for (const Index corner : coarse.triangles) {
     made.triangles.push_back(placeOfVertex[coarse.vertices[corner]]);
   }
-  listFans(mesh.triangles(), placeOfVertex, made, progress);
-  for (Index& other : made.fans) {
+  made.whole = fansAround(mesh.triangles().vertices(), placeOfVertex, made.slots.size(), progress);
+  for (Index& other : made.whole.others) {
     other = slotOfVertex[other];
   }
+  std::vector<Index> self(made.slots.size());
+  std::iota(self.begin(), self.end(), 0);
+  made.coarse = fansAround(made.triangles, self, self.size(), progress);
   return made;
 }
 
-/// By vertices of the mesh; -1 is the place of those that are not taken.
-void StandIn::listFans(const Triangles& all, const std::vector<Index>& placeOfVertex, Made& made,
-                       const Progress& progress) {
-  made.fanStart.assign(made.slots.size() + 1, 0);
+StandIn::Fans StandIn::fansAround(std::span<const Index> triangles, const std::vector<Index>& placeOfVertex,
+                                  std::size_t places, const Progress& progress) {
   const auto forEachTaken = [&](const auto& body) {
-    forEachIn(all.size(), progress, [&](Index triangle) {
-      const Index* const corner = &all.vertices()[3 * static_cast<std::size_t>(triangle)];
+    forEachIn(static_cast<Index>(triangles.size() / 3), progress, [&](Index triangle) {
+      const Index* const corner = &triangles[3 * static_cast<std::size_t>(triangle)];
       for (int k = 0; k < 3; ++k) {
         if (const Index place = placeOfVertex[corner[k]]; place >= 0) {
           body(place, corner[(k + 1) % 3], corner[(k + 2) % 3]);
@@ -62,14 +74,17 @@ void StandIn::listFans(const Triangles& all, const std::vector<Index>& placeOfVe
       }
     });
   };
-  forEachTaken([&](Index place, Index, Index) { made.fanStart[place + 1] += 2; });
-  std::partial_sum(made.fanStart.begin(), made.fanStart.end(), made.fanStart.begin());
-  made.fans.resize(static_cast<std::size_t>(made.fanStart.back()));
-  std::vector<Index> next(made.fanStart.begin(), made.fanStart.end() - 1);
+  Fans fans;
+  fans.start.assign(places + 1, 0);
+  forEachTaken([&](Index place, Index, Index) { fans.start[place + 1] += 2; });
+  std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
+  fans.others.resize(static_cast<std::size_t>(fans.start.back()));
+  std::vector<Index> next(fans.start.begin(), fans.start.end() - 1);
   forEachTaken([&](Index place, Index second, Index third) {
-    made.fans[next[place]++] = second;
-    made.fans[next[place]++] = third;
+    fans.others[next[place]++] = second;
+    fans.others[next[place]++] = third;
   });
+  return fans;
 }
 
 void StandIn::build(const std::shared_ptr<const RestMesh>& mesh, Index mostTriangles) {
@@ -85,6 +100,7 @@ void StandIn::build(const std::shared_ptr<const RestMesh>& mesh, Index mostTrian
                    made_ = std::move(*result);
                    positions_.assign(3 * made_.slots.size(), 0.0F);
                    normals_.assign(3 * made_.slots.size(), 0.0F);
+                   unevenNormals_.assign(3 * made_.slots.size(), 0.0F);
                    Q_EMIT ready();
                  };
                }});
@@ -97,25 +113,40 @@ void StandIn::clear() {
   made_ = {};
   positions_ = {};
   normals_ = {};
+  unevenNormals_ = {};
 }
 
 void StandIn::follow(const std::vector<float>& positions) {
-  const auto at = [&](Index slot) -> Vec3 {
-    const float* const position = positions.data() + 3 * static_cast<std::size_t>(slot);
-    return {position[0], position[1], position[2]};
-  };
+  takePositionsAndNormals(positions);
+  evenNormals();
+}
+
+void StandIn::takePositionsAndNormals(const std::vector<float>& positions) {
   parallelFor(made_.slots.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 position = at(made_.slots[i]);
+      const Vec3 position = rowOf(positions, made_.slots[i]);
       Vec3 normal = Vec3::Zero();
-      for (Index f = made_.fanStart[i]; f < made_.fanStart[i + 1]; f += 2) {
-        normal += (at(made_.fans[f]) - position).cross(at(made_.fans[f + 1]) - position);
+      for (Index f = made_.whole.start[i]; f < made_.whole.start[i + 1]; f += 2) {
+        normal += (rowOf(positions, made_.whole.others[f]) - position)
+                      .cross(rowOf(positions, made_.whole.others[f + 1]) - position);
       }
       normal.stableNormalize();
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        positions_[3 * i + axis] = static_cast<float>(position[static_cast<Index>(axis)]);
-        normals_[3 * i + axis] = static_cast<float>(normal[static_cast<Index>(axis)]);
+      setRow(positions_, i, position);
+      setRow(unevenNormals_, i, normal);
+    }
+  });
+}
+
+/// With those of its neighbours, each of which is in two triangles of the fan.
+void StandIn::evenNormals() {
+  parallelFor(made_.slots.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Vec3 normal = 2.0 * rowOf(unevenNormals_, static_cast<Index>(i));
+      for (Index f = made_.coarse.start[i]; f < made_.coarse.start[i + 1]; ++f) {
+        normal += rowOf(unevenNormals_, made_.coarse.others[f]);
       }
+      normal.stableNormalize();
+      setRow(normals_, i, normal);
     }
   });
 }

@@ -8,12 +8,14 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace pbffd::ui {
 
 /// A coarse mesh between some vertices of another, built off the UI thread, which goes where that goes. Its
-/// normals are those of the whole: of all triangles around.
+/// normals are those of the whole, of all triangles around, evened out between neighbours: one vertex of a
+/// rough surface may look anywhere, and must not darken all that it stands for.
 class StandIn : public QObject {
   Q_OBJECT
 
@@ -43,17 +45,23 @@ class StandIn : public QObject {
   void failed(const QString& message);
 
  private:
+  /// Of each triangle around vertex i the two other corners: [start[i], start[i + 1]) of `others`.
+  struct Fans {
+    std::vector<Index> start;
+    std::vector<Index> others;
+  };
   struct Made {
     std::vector<Index> slots;  ///< of its vertices, ascending
     std::vector<Index> triangles;
-    /// The triangles of the whole mesh around vertex i are [fanStart[i], fanStart[i + 1]): of each the two
-    /// other slots.
-    std::vector<Index> fanStart;
-    std::vector<Index> fans;
+    Fans whole;   ///< triangles of the whole mesh; the others are slots
+    Fans coarse;  ///< its own triangles; the others are vertices of it
   };
   static Made made(const CoarseMesh& coarse, const RestMesh& mesh, const Progress& progress);
-  static void listFans(const Triangles& all, const std::vector<Index>& placeOfVertex, Made& made,
-                       const Progress& progress);
+  /// Around those vertices that have a place, which is not -1, of so many.
+  static Fans fansAround(std::span<const Index> triangles, const std::vector<Index>& placeOfVertex,
+                         std::size_t places, const Progress& progress);
+  void takePositionsAndNormals(const std::vector<float>& positions);
+  void evenNormals();
 
   Coarsen coarsen_;
   std::shared_ptr<const RestMesh> mesh_;
@@ -61,6 +69,7 @@ class StandIn : public QObject {
   Made made_;
   std::vector<float> positions_;
   std::vector<float> normals_;
+  std::vector<float> unevenNormals_;
   /// Last, so that its work ends before what the work reads is gone.
   JobRunner jobs_;
 };

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
@@ -82,6 +83,7 @@ void Document::close() {
   parameterization_.reset();
   workspace_ = std::make_shared<EditWorkspace>();
   path_.clear();
+  openedName_.clear();
   extras_ = {};
   history_->clear();
   selection_->reset(1);
@@ -110,13 +112,16 @@ void Document::push(const Edit& edit, const EditResult& result, const EditOption
   for (const std::string& remark : result.remarks) {
     remarks += QString::fromStdString(remark);
   }
+  const auto* place = std::get_if<Place>(&edit.value());
+  const bool isComplete = place != nullptr && committed_.controls.finest().size() >= place->options.points;
+  if (place != nullptr) {
+    remarks = newRemarks(remarks, isComplete);
+  }
   if (remarks.isEmpty()) {
     return;
   }
-  // A placement always tells how it took the surface; it matters when it fell short. A gesture shows what it
-  // moved and what stayed.
-  const auto* place = std::get_if<Place>(&edit.value());
-  const bool isComplete = place != nullptr && committed_.controls.finest().size() >= place->options.points;
+  // A placement tells how it took the surface; it matters when it fell short. A gesture shows what it moved and
+  // what stayed.
   const bool isGesture =
       std::holds_alternative<Move>(edit.value()) || std::holds_alternative<Transform>(edit.value());
   if (isComplete || isGesture) {
@@ -124,6 +129,15 @@ void Document::push(const Edit& edit, const EditResult& result, const EditOption
   } else {
     Q_EMIT remarked(remarks.join(u' '));
   }
+}
+
+/// Without what the placement before said already, unless that leaves nothing to say of one that fell short.
+QStringList Document::newRemarks(const QStringList& remarks, bool isComplete) {
+  const QStringList before = std::exchange(placementRemarks_, remarks);
+  QStringList fresh;
+  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(fresh),
+               [&](const QString& remark) { return !before.contains(remark); });
+  return fresh.isEmpty() && !isComplete ? remarks : fresh;
 }
 
 void Document::undo() {

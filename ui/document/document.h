@@ -9,6 +9,7 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QUndoStack>
 
 #include <memory>
@@ -53,6 +54,8 @@ class Document : public QObject {
   const QString& path() const { return path_; }
   /// "cow.pbffd", or "cow.obj" for what was never saved as a project.
   QString displayName() const;
+  /// The name of the file that was opened, mesh or project, whatever it was saved to since.
+  const QString& openedName() const { return openedName_; }
   /// The name of the mesh's file.
   QString meshName() const;
   bool isModified() const { return !history_->isClean(); }
@@ -140,6 +143,7 @@ class Document : public QObject {
   void show(const Project& before, bool measured);
   void refreshDeformation(bool measured);
   void push(const Edit& edit, const EditResult& result, const EditOptions& options);
+  QStringList newRemarks(const QStringList& remarks, bool isComplete);
   bool applyPreview(const Edit& edit);
   bool flushPreview();
   bool dropPreview();
@@ -163,6 +167,8 @@ class Document : public QObject {
   Selection* selection_;
   JobRunner* jobs_;
   QString path_;
+  QString openedName_;
+  QStringList placementRemarks_;  ///< of the last placement, here or undone
   ProjectExtras extras_;
   double lastMilliseconds_ = 0.0;
   Index lastMovedVertices_ = 0;

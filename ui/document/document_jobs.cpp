@@ -121,6 +121,8 @@ void Document::adopt(Opened& file) {
   workspace_ = file.workspace;
   extras_ = file.extras;
   path_ = file.isProject ? file.path : QString();
+  openedName_ = QFileInfo(file.path).fileName();
+  placementRemarks_.clear();
   lastPlacementSeconds_ = 0.0;
   parameterization_.reset();
   ready_ = std::move(file.ready);
@@ -130,7 +132,7 @@ void Document::adopt(Opened& file) {
   selection_->reset(static_cast<int>(committed_.controls.levels.size()));
   Q_EMIT opened();
   Q_EMIT titleChanged();
-  Q_EMIT informed(openedMessage(QFileInfo(file.path).fileName(), *committed_.mesh));
+  Q_EMIT informed(openedMessage(openedName_, *committed_.mesh));
   for (const std::string& remark : committed_.mesh->mesh().remarks) {
     Q_EMIT informed(QString::fromStdString(remark));
   }

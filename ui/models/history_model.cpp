@@ -85,7 +85,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
-      return step != nullptr ? step->text() : tr("Open %1").arg(document_.displayName());
+      return step != nullptr ? step->text() : tr("Open %1").arg(document_.openedName());
     case iconRole:
       return step != nullptr ? std::visit(IconOf(), step->edit().value()) : QString("mesh");
     case timeRole:

@@ -40,6 +40,7 @@ class DocumentTest : public QObject {
   void anImpossibleEditFailsAndChangesNothing();
   void editsOfOneRunAreOneEntry();
   void placementsOfOneScrubAreOneEntry();
+  void howTheSurfaceWasTakenIsToldWhereItIsNews();
   void goingThroughTheHistoryAnnouncesOnce();
   void aResultForAnotherStateIsDropped();
   void cancelledPlacementChangesNothing();
@@ -218,6 +219,27 @@ void DocumentTest::placementsOfOneScrubAreOneEntry() {
   QCOMPARE(document_->shown().controls.finest().size(), 25);
   document_->undo();
   QCOMPARE(document_->shown().controls.finest().size(), 40);
+}
+
+void DocumentTest::howTheSurfaceWasTakenIsToldWhereItIsNews() {
+  QStringList told;
+  connect(document_.get(), &Document::informed, this, [&](const QString& text) {
+    if (text.contains("taken as")) {
+      told += text;
+    }
+  });
+  QVERIFY(openShape(*document_, *folder_));
+  QCOMPARE(told.size(), 1);
+  QVERIFY(document_->perform(Place{fewPoints(30), false, {}}));
+  QVERIFY(document_->perform(Place{fewPoints(50), false, {}}));
+  QCOMPARE(told.size(), 1);
+  PlacementOptions open = fewPoints(50);
+  open.surface = Surface::open;
+  QVERIFY(document_->perform(Place{open, false, {}}));
+  QCOMPARE(told.size(), 2);
+  QVERIFY(told.last().contains("open"));
+  QVERIFY(openShape(*document_, *folder_));
+  QCOMPARE(told.size(), 3);
 }
 
 void DocumentTest::goingThroughTheHistoryAnnouncesOnce() {

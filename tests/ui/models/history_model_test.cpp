@@ -67,6 +67,7 @@ void HistoryModelTest::theSavedStateIsMarked() {
   QVERIFY(document.perform(someMove(document)));
   QVERIFY(document.save(folder.filePath("a.pbffd"), {}));
   QVERIFY(model.index(2).data(HistoryModel::isSavedRole).toBool());
+  QCOMPARE(model.index(0).data().toString(), QString("Open shape.obj"));
   document.undo();
   QVERIFY(model.index(2).data(HistoryModel::isSavedRole).toBool());
   QVERIFY(!model.index(1).data(HistoryModel::isSavedRole).toBool());

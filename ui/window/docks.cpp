@@ -23,7 +23,6 @@ namespace {
 constexpr int leftWidth = 268;
 constexpr int rightWidth = 308;
 constexpr int bottomHeight = 150;
-constexpr int placementHeight = 262;
 /// Of the menu, options and status bars.
 constexpr int chromeHeight = 100;
 constexpr int narrowBelow = 1280;
@@ -130,6 +129,9 @@ void Docks::giveSizes() {
   window_.resizeDocks({docks_[historyPlace], docks_[messagesPlace]}, {between * 45 / 100, between * 55 / 100},
                       Qt::Horizontal);
   if (!isNarrow_) {
+    // All of the placement panel without a scroll bar, as long as its page of more is folded.
+    const int placementHeight = docks_[placementPlace]->titleBarWidget()->sizeHint().height() +
+                                placement_->widget()->sizeHint().height();
     const int rest = std::max(200, window_.height() - chromeHeight - placementHeight);
     window_.resizeDocks({docks_[inspectorPlace], docks_[placementPlace]}, {rest, placementHeight},
                         Qt::Vertical);

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/ffd/levels/frames_follow.h"
 #include "core/project/edit_functions.h"
@@ -75,7 +76,7 @@ Project withAllPosesAtRest(const EditScope& scope) {
   }
   if (const int stayed = posedPoints(project.controls); stayed > 0) {
     scope.remarks.push_back(format("{} locked point{} stayed in place; unlock {} to put {} back to rest too.",
-                                   stayed, stayed == 1 ? "" : "s", stayed == 1 ? "it" : "them",
+                                   counted(stayed), stayed == 1 ? "" : "s", stayed == 1 ? "it" : "them",
                                    stayed == 1 ? "it" : "them"));
   }
   return project;

@@ -1,3 +1,4 @@
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/ffd/levels/hierarchy.h"
 #include "core/ffd/placement/placement_cache.h"
@@ -50,8 +51,8 @@ Level finestLevel(const EditScope& scope, const Level& placed, PointId& nextId) 
 int levelCountFor(const EditScope& scope, const Place& edit, Index points) {
   const int greatest = greatestLevelCount(points);
   if (edit.options.levels > greatest) {
-    scope.remarks.push_back(
-        format("The {} points placed allow {} of the {} levels.", points, greatest, edit.options.levels));
+    scope.remarks.push_back(format("The {} points placed allow {} of the {} levels.", counted(points), greatest,
+                                   edit.options.levels));
   }
   return std::min(edit.options.levels, greatest);
 }

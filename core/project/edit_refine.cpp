@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/ffd/refinement/refinement.h"
 #include "core/project/edit_functions.h"
@@ -28,15 +29,15 @@ std::vector<Index> refinable(const EditScope& scope, const Level& level, const s
                            : format("point {} is disabled; enable it first", first.id));
   }
   if (const std::size_t left = places.size() - usable.size(); left > 0) {
-    scope.remarks.push_back(format("{} of the points {} disabled or of a curve and {} not refined.", left,
-                                   left == 1 ? "is" : "are", left == 1 ? "was" : "were"));
+    scope.remarks.push_back(format("{} of the points {} disabled or of a curve and {} not refined.",
+                                   counted(left), left == 1 ? "is" : "are", left == 1 ? "was" : "were"));
   }
   return usable;
 }
 
 std::string pointWords(const Level& level, const std::vector<Index>& places) {
   return places.size() == 1 ? format("the region of point {}", level[places[0]].id)
-                            : format("the regions of these {} points", places.size());
+                            : format("the regions of these {} points", counted(places.size()));
 }
 
 Refinement refined(const EditScope& scope, const Level& level, const std::vector<Index>& places, int factor) {
@@ -47,7 +48,7 @@ Refinement refined(const EditScope& scope, const Level& level, const std::vector
     throw InvalidInput(
         format("it would make {} points of one level, more than {}; refine fewer points or by a "
                "smaller factor",
-               total, mostPoints));
+               counted(total), counted(mostPoints)));
   }
   Refinement refinement = refinedPoints(scope.before.mesh, alone, places, {scope.before.placement, factor},
                                         scope.progress, scope.workspace.placement);
@@ -60,7 +61,8 @@ Refinement refined(const EditScope& scope, const Level& level, const std::vector
   }
   if (refinement.points.size() < wanted) {
     scope.remarks.push_back(format("{} of {} points were added: there is no room for more in {}.",
-                                   refinement.points.size(), wanted, pointWords(level, places)));
+                                   counted(refinement.points.size()), counted(wanted),
+                                   pointWords(level, places)));
   }
   return refinement;
 }

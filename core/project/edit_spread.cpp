@@ -1,6 +1,7 @@
 #include "core/project/edit_spread.h"
 
 #include "core/base/error.h"
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/project/mirror.h"
 
@@ -94,8 +95,8 @@ std::vector<Target> targetsOf(const EditScope& scope, const SelectedPlaces& sele
   }
   const std::size_t named = targets.size();
   if (const std::size_t locked = selected.places.size() - named; locked > 0) {
-    scope.remarks.push_back(format("{} of {} points {} locked and stayed in place.", locked,
-                                   selected.places.size(), locked == 1 ? "is" : "are"));
+    scope.remarks.push_back(format("{} of {} points {} locked and stayed in place.", counted(locked),
+                                   counted(selected.places.size()), locked == 1 ? "is" : "are"));
   }
   std::size_t alone = 0;
   for (std::size_t k = 0; k < named; ++k) {
@@ -111,7 +112,8 @@ std::vector<Target> targetsOf(const EditScope& scope, const SelectedPlaces& sele
   }
   if (alone > 0) {
     scope.remarks.push_back(format("{} of {} points {} no mirror partner, so nothing moved across from {}.",
-                                   alone, named, alone == 1 ? "has" : "have", alone == 1 ? "it" : "them"));
+                                   counted(alone), counted(named), alone == 1 ? "has" : "have",
+                                   alone == 1 ? "it" : "them"));
   }
   return targets;
 }

@@ -1,5 +1,6 @@
 #include "core/project/edit_survivors.h"
 
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/ffd/rest_centres.h"
 #include "core/project/shape.h"
@@ -96,7 +97,7 @@ void addCoarserSurvivors(const EditScope& scope, const ControlSet& former, Contr
   }
   if (homeless > 0) {
     scope.remarks.push_back(
-        format("{} point{} that {} made by hand or locked on coarser levels left with them.", homeless,
+        format("{} point{} that {} made by hand or locked on coarser levels left with them.", counted(homeless),
                homeless == 1 ? "" : "s", homeless == 1 ? "was" : "were"));
   }
 }

@@ -1,3 +1,4 @@
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/project/edit.h"
 
@@ -9,25 +10,12 @@
 namespace pbffd {
 namespace {
 
-std::string number(double value) {
-  return format("{:.3g}", value == 0.0 ? 0.0 : value);
-}
-
 std::string vector(const Vec3& v) {
-  return format("{}, {}, {}", number(v.x()), number(v.y()), number(v.z()));
+  return format("{}, {}, {}", figures(v.x()), figures(v.y()), figures(v.z()));
 }
 
 std::string percent(double factor) {
-  return number(100.0 * factor) + " %";
-}
-
-/// 2,903: as figures are written everywhere on screen.
-std::string counted(std::size_t count) {
-  std::string figures = std::to_string(count);
-  for (int at = static_cast<int>(figures.size()) - 3; at > 0; at -= 3) {
-    figures.insert(static_cast<std::size_t>(at), 1, ',');
-  }
-  return figures;
+  return figures(100.0 * factor) + " %";
 }
 
 const char* plural(std::size_t count) {
@@ -38,7 +26,7 @@ std::string axisWords(const Vec3& axis) {
   static constexpr const char* names[] = {"X", "Y", "Z"};
   for (int k = 0; k < 3; ++k) {
     if (axis == Vec3(axis[k] * Vec3::Unit(k))) {
-      return axis[k] < 0.0 ? format("-{}", names[k]) : names[k];
+      return axis[k] < 0.0 ? format("\u2212{}", names[k]) : names[k];
     }
   }
   return vector(axis.stableNormalized());
@@ -51,7 +39,7 @@ std::string kernelWords(const Basis& basis) {
     case Kernel::wendland:
       return "Wendland";
     case Kernel::gaussian:
-      return format("Gaussian, sigma {}", number(basis.sigma));
+      return format("Gaussian, sigma {}", figures(basis.sigma));
   }
   return {};
 }
@@ -62,8 +50,8 @@ class Describer {
 
   std::string operator()(const Place& edit) const {
     const PlacementOptions& options = edit.options;
-    return format("Place {} point{} on {} level{}", counted(options.points), plural(options.points), options.levels,
-                  plural(options.levels));
+    return format("Place {} point{} on {} level{}", counted(options.points), plural(options.points),
+                  options.levels, plural(options.levels));
   }
 
   std::string operator()(const Move& edit) const {
@@ -73,7 +61,7 @@ class Describer {
 
   std::string operator()(const Transform& edit) const {
     const std::string who = points(edit.where);
-    const std::string rotation = format("{}° about {}", number(edit.degrees), axisWords(edit.rotationAxis));
+    const std::string rotation = format("{}° about {}", figures(edit.degrees), axisWords(edit.rotationAxis));
     if (edit.scale == Vec3::Ones()) {
       return format("Rotate {} {}", who, rotation);
     }
@@ -106,7 +94,7 @@ class Describer {
   }
 
   std::string operator()(const Strength& edit) const {
-    return format("Set strength of {} to {}", points(edit.where), number(edit.value));
+    return format("Set strength of {} to {}", points(edit.where), figures(edit.value));
   }
 
   std::string operator()(const SetReach& edit) const {
@@ -115,7 +103,8 @@ class Describer {
   }
 
   std::string operator()(const Refine& edit) const {
-    return format("Refine {} {} times", points(edit.where), edit.factor);
+    const std::size_t wanted = edit.where.points.size() * static_cast<std::size_t>(std::max(edit.factor, 0));
+    return format("Refine {} to {} points", points(edit.where), counted(wanted));
   }
 
   std::string operator()(const Rename& edit) const {
@@ -132,7 +121,7 @@ class Describer {
   }
 
   std::string operator()(const SetMaster& edit) const {
-    return format("Set master to {}", edit.mode == MasterMode::paper ? "the paper's" : number(edit.value));
+    return format("Set master to {}", edit.mode == MasterMode::paper ? "the paper's" : figures(edit.value));
   }
 
   std::string operator()(const SetKernel& edit) const { return "Change kernel to " + kernelWords(edit.basis); }
@@ -142,7 +131,8 @@ class Describer {
   }
 
   std::string operator()(const Group& edit) const {
-    return edit.text.empty() ? format("{} edit{}", counted(edit.edits.size()), plural(edit.edits.size())) : edit.text;
+    return edit.text.empty() ? format("{} edit{}", counted(edit.edits.size()), plural(edit.edits.size()))
+                             : edit.text;
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "core/project/symmetric_points.h"
 
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/project/mirror.h"
 
@@ -92,8 +93,8 @@ PlacementResult symmetricPlacement(const PlacementOptions& options, Axis axis, c
   best.finest = joined(bestHalves, axis, through);
   best.wanted = options.points;
   if (best.finest.size() < options.points) {
-    best.remarks.push_back(
-        format("{} of {} points could be placed in pairs.", best.finest.size(), options.points));
+    best.remarks.push_back(format("{} of {} points could be placed in pairs.", counted(best.finest.size()),
+                                  counted(options.points)));
   }
   return best;
 }

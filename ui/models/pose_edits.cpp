@@ -1,5 +1,7 @@
 #include "ui/models/pose_edits.h"
 
+#include "core/base/figures.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
@@ -60,7 +62,7 @@ std::optional<Edit> grouped(std::vector<Edit> edits, const char* text) {
   if (edits.size() == 1) {
     return edits.front();
   }
-  const int count = static_cast<int>(edits.size());
+  const QString count = QString::fromStdString(counted(edits.size()));
   return Group{QCoreApplication::translate("PoseEdits", text).arg(count).toStdString(), std::move(edits)};
 }
 

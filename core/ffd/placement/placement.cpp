@@ -1,6 +1,7 @@
 #include "core/ffd/placement/placement.h"
 
 #include "core/base/error.h"
+#include "core/base/figures.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/ffd/placement/coverage.h"
@@ -73,7 +74,7 @@ void requirePlaceable(const RestMesh& mesh) {
     throw InvalidInput(
         format("{}the mesh has {} vertices, but no faces that span a surface. Take a mesh with faces; if it "
                "should have some, export it again.",
-               notPlaced, mesh.vertexCount()));
+               notPlaced, counted(mesh.vertexCount())));
   }
   requireFinite(mesh);
   // Nothing takes more memory while it is made: it comes before the triangles, which are kept.
@@ -87,11 +88,11 @@ void requirePlaceable(const RestMesh& mesh) {
                                                                     : nullptr;
   if (where != nullptr) {
     throw InvalidInput(format("{}all {} vertices of its faces lie {}. Check how the mesh was exported.",
-                              notPlaced, surface.rows(), where));
+                              notPlaced, counted(surface.rows()), where));
   }
   if (!hasArea(mesh)) {
     throw InvalidInput(format("{}none of the {} faces has an area. Check how the mesh was exported.", notPlaced,
-                              mesh.mesh().faces.size()));
+                              counted(mesh.mesh().faces.size())));
   }
 }
 
@@ -186,7 +187,8 @@ std::string howTaken(const SurfaceParts& parts, Surface how) {
   return format(
       "Of the {} parts, {} {} closed, with points inside and outside, and {} {} open, with points on both "
       "sides.",
-      closed + open, closed, closed == 1 ? "is" : "are", open, open == 1 ? "is" : "are");
+      counted(closed + open), counted(closed), closed == 1 ? "is" : "are", counted(open),
+      open == 1 ? "is" : "are");
 }
 
 std::vector<std::string> remarksOn(const Places& places, const PlacementCache& cache,
@@ -196,23 +198,23 @@ std::vector<std::string> remarksOn(const Places& places, const PlacementCache& c
     remarks.push_back(
         format("{} of {} points were placed: the surface has no more places for them at an offset of {} "
                "and an exterior share of {}.",
-               places.pool.size(), options.points, options.offset, options.exteriorShare));
+               counted(places.pool.size()), counted(options.points), options.offset, options.exteriorShare));
   }
   if (const Index count = cache.parts->inconsistentCount(); count > 0) {
     remarks.push_back(
         format("{} part{} without a border {} taken as open: {} faces do not agree on which side is out. Make "
                "the normals consistent where the mesh was made, or have the surface taken as closed.",
-               count, count == 1 ? "" : "s", count == 1 ? "is" : "are", count == 1 ? "its" : "their"));
+               counted(count), count == 1 ? "" : "s", count == 1 ? "is" : "are", count == 1 ? "its" : "their"));
   }
   if (cache.parts->count() > options.points) {
     remarks.push_back(format("The mesh has {} separate parts, more than points: some parts share a point.",
-                             cache.parts->count()));
+                             counted(cache.parts->count())));
   }
   if (cache.parts->countOf(true) > 0 && places.interior == 0 && options.exteriorShare < 1.0) {
     remarks.emplace_back("Nothing is inside the closed surface: all points lie outside.");
   } else if (const Index wanted = wantedShares(options, *cache.parts).interior; places.interior < wanted) {
-    remarks.push_back(
-        format("There is room inside for {} of {} points; the others lie outside.", places.interior, wanted));
+    remarks.push_back(format("There is room inside for {} of {} points; the others lie outside.",
+                             counted(places.interior), counted(wanted)));
   }
   return remarks;
 }

@@ -279,7 +279,7 @@ class EditRefineTest : public QObject {
   void tooManyPointsAreRefused() {
     const Project project = test::projectWith(400, 1);
     const std::string message = refusal(project, Refine{{1, someOf(project.controls.finest(), 1)}, 64});
-    QVERIFY2(contains(message, "25600 points of one level, more than 20000"), message.c_str());
+    QVERIFY2(contains(message, "25,600 points of one level, more than 20,000"), message.c_str());
   }
 
   void regionWithoutRoomIsRefused() {

@@ -21,13 +21,14 @@ class EditTextTest : public QObject {
     says(Move{{3, {5}}, {by}, Follow::frames, {}}, "Move point 5 by 0, 0.35, 0");
     says(Move{{3, {4, 5, 6}}, {by}, Follow::frames, {}}, "Move 3 points by 0, 0.35, 0");
     says(Move{{3, {4, 5}}, {by, by}, Follow::frames, {}}, "Move 2 points");
+    says(Move{{3, {4}}, {Vec3(-0.1, 1234.5, -2e-7)}, Follow::frames, {}}, "Move Neck by −0.1, 1,230, −2e−07");
     says(Remove{{3, std::vector<PointId>(1000, 5)}}, "Remove 1,000 points");
     Transform turn;
     turn.where = {3, {4, 5}};
     turn.degrees = 26;
     says(turn, "Rotate 2 points 26° about Z");
     turn.rotationAxis = Vec3(0, -2, 0);
-    says(turn, "Rotate 2 points 26° about -Y");
+    says(turn, "Rotate 2 points 26° about −Y");
     turn.rotationAxis = Vec3(3, 4, 0);
     says(turn, "Rotate 2 points 26° about 0.6, 0.8, 0");
     turn.scale = Vec3::Constant(1.2);
@@ -45,8 +46,8 @@ class EditTextTest : public QObject {
     says(Lock{{3, {4}}, true}, "Lock Neck");
     says(Strength{{3, {4}}, 2.5}, "Set strength of Neck to 2.5");
     says(SetReach{{3, {4}}, Reach::all}, "Let Neck reach all of the region");
-    says(Refine{{3, {4}}, 2}, "Refine Neck 2 times");
-    says(Refine{{3, {4, 5}}, 3}, "Refine 2 points 3 times");
+    says(Refine{{3, {4}}, 2}, "Refine Neck to 2 points");
+    says(Refine{{3, {4, 5}}, 3}, "Refine 2 points to 6 points");
     says(Rename{3, 5, "Nose"}, "Rename point 5 to Nose");
     says(SetLevels{4}, "Build 4 levels");
     says(SetLevels{4, true}, "Add a coarser level");

@@ -98,6 +98,13 @@ bool ToolManager::filterKey(QKeyEvent& event) {
   }
 }
 
+/// Whoever goes on elsewhere in the window has left the gesture, and its keys would go there.
+void ToolManager::loseFocus(Qt::FocusReason reason) {
+  if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason) {
+    cancel();
+  }
+}
+
 bool ToolManager::eventFilter(QObject*, QEvent* event) {
   switch (event->type()) {
     case QEvent::MouseButtonPress:
@@ -124,6 +131,9 @@ bool ToolManager::eventFilter(QObject*, QEvent* event) {
       return filterKey(*static_cast<QKeyEvent*>(event));
     case QEvent::KeyRelease:
       return active_->keyRelease(*static_cast<QKeyEvent*>(event));
+    case QEvent::FocusOut:
+      loseFocus(static_cast<QFocusEvent*>(event)->reason());
+      return false;
     case QEvent::Leave:
       active_->cursorLeft();
       return false;

@@ -47,6 +47,7 @@ class ToolManager : public QObject {
 
  private:
   bool filterKey(QKeyEvent& event);
+  void loseFocus(Qt::FocusReason reason);
 
   Document& document_;
   Viewport& viewport_;

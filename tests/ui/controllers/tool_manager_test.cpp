@@ -295,6 +295,25 @@ class ToolManagerTest : public QObject {
     QCOMPARE(bench.open.viewport.hoveredPoint(), PointId(0));
   }
 
+  void goingOnElsewhereInTheWindowEndsTheGesture() {
+    Bench bench;
+    bench.click(bench.open.placeOf(1));
+    bench.keys("r");
+    const Project before = bench.open.document.committed();
+    bench.move(bench.open.placeOf(2), {}, Qt::NoButton);
+    QSignalSpy hints(&bench.tools, &ToolManager::hintChanged);
+    const auto loseFocus = [&](Qt::FocusReason reason) {
+      QFocusEvent event(QEvent::FocusOut, reason);
+      QCoreApplication::sendEvent(bench.open.viewport.surface(), &event);
+    };
+    loseFocus(Qt::ActiveWindowFocusReason);
+    QVERIFY(bench.tools.isBusy());
+    loseFocus(Qt::MouseFocusReason);
+    QVERIFY(!bench.tools.isBusy());
+    QVERIFY(sameBits(bench.open.document.shown(), before));
+    QCOMPARE(hints.last().at(0).toString(), bench.tools.active().hint());
+  }
+
   void openingAnotherDocumentEndsTheGesture() {
     Bench bench;
     bench.click(bench.open.placeOf(1));

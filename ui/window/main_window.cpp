@@ -247,12 +247,16 @@ void MainWindow::say(Severity severity, const QString& text) {
 }
 
 void MainWindow::arrangeErrorBar() {
-  // Over a mesh it lies beside the tools and below the view bar: what has to be done next may need both.
-  const int left = document_.isOpen() ? overlays_->toolsRight() + errorBarGap : errorBarGap;
-  const int width = std::min(errorBarMostWidth, centre_->width() - left - errorBarGap);
+  // Beside the tools and below the view bar, or beside the title and the buttons of the start page: what has to
+  // be done next may need them.
+  const bool isOpen = document_.isOpen();
+  const int left = (isOpen ? overlays_->toolsRight() : StartPage::sideWidthOf(centre_->width())) + errorBarGap;
+  const int room = centre_->width() - left - errorBarGap;
+  const int width = std::min(errorBarMostWidth, room);
   errorBar_->setFixedWidth(width);
   errorBar_->setFixedHeight(std::max(38, errorBar_->heightForWidth(width)));
-  errorBar_->move(std::max(left, (centre_->width() - width) / 2), document_.isOpen() ? errorBarTop : 16);
+  const int middle = isOpen ? (centre_->width() - width) / 2 : left + (room - width) / 2;
+  errorBar_->move(std::max(left, middle), isOpen ? errorBarTop : errorBarGap);
 }
 
 void MainWindow::goToNextPane() {

@@ -282,9 +282,13 @@ void StartPage::showRecent() {
 
 void StartPage::resizeEvent(QResizeEvent* event) {
   const bool isNarrow = width() < narrowBelow;
-  side_->setFixedWidth(isNarrow ? narrowSideWidth : sideWidth);
+  side_->setFixedWidth(sideWidthOf(width()));
   main_->setContentsMargins(isNarrow ? narrowMargins : mainMargins);
   QWidget::resizeEvent(event);
+}
+
+int StartPage::sideWidthOf(int pageWidth) {
+  return pageWidth < narrowBelow ? narrowSideWidth : sideWidth;
 }
 
 void StartPage::showDrag(bool isOver, const QString& reason) {

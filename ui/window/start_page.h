@@ -30,6 +30,9 @@ class StartPage : public QWidget {
   /// Whether every sample has its picture.
   bool isPictured() const { return pending_ == 0; }
 
+  /// How wide the column at the left with the title and the buttons is on a page of this width.
+  static int sideWidthOf(int pageWidth);
+
   /// How the drop area looks while a file is dragged over the window. A reason says why it is refused.
   void showDrag(bool isOver, const QString& reason);
 

@@ -124,6 +124,7 @@ void MainWindowTest::aBadFileShowsTheErrorBarAndNothingIsLost() {
   writeFileAtomically(bad.toStdString(), "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
   QVERIFY(open_->open(bad));
   QVERIFY(window().errorBar().isVisible());
+  QVERIFY(window().errorBar().x() >= ui::StartPage::sideWidthOf(window().width()));
   QVERIFY(!document().isOpen());
   QVERIFY(openBar());
   QVERIFY(!window().errorBar().isVisible());

@@ -56,18 +56,19 @@ OverlayBox::OverlayBox(const Theme& theme, QWidget* parent) : QWidget(parent), t
   hide();
 }
 
-void OverlayBox::placeBeside(const QPointF& at, const QSize& room) {
+void OverlayBox::placeBeside(const QPointF& at, const QRect& room) {
   const QSize wanted = sizeHint();
+  const QRect places = room.adjusted(margin, margin, -margin - wanted.width(), -margin - wanted.height());
   double x = at.x() + besideX;
-  if (x + wanted.width() > room.width() - margin) {
+  if (x > places.right() + 1) {
     x = at.x() - besideX - wanted.width();
   }
   double y = at.y() + besideY;
-  if (y < margin) {
+  if (y < places.top()) {
     y = at.y() - besideY - wanted.height();
   }
-  const int left = std::clamp(qRound(x), margin, std::max(margin, room.width() - wanted.width() - margin));
-  const int top = std::clamp(qRound(y), margin, std::max(margin, room.height() - wanted.height() - margin));
+  const int left = std::clamp(qRound(x), places.left(), std::max(places.left(), places.right() + 1));
+  const int top = std::clamp(qRound(y), places.top(), std::max(places.top(), places.bottom() + 1));
   const QRect place(QPoint(left, top), wanted);
   if (isHidden() || geometry() != place) {
     setGeometry(place);

@@ -17,7 +17,7 @@ class OverlayBox : public QWidget {
   OverlayBox(const Theme& theme, QWidget* parent);
 
   /// Shows the box beside a place of the view, on the side where there is room.
-  void placeBeside(const QPointF& at, const QSize& room);
+  void placeBeside(const QPointF& at, const QRect& room);
 
  protected:
   const Theme& theme() const { return theme_; }

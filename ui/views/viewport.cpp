@@ -194,9 +194,10 @@ void Viewport::placeOverlays() {
   Parts& p = *parts_;
   const Projection seen = projection();
   p.triad->move(overlayMargin, p.widget->height() - p.triad->height() - overlayMargin);
+  const QRect room = p.widget->rect().adjusted(p.coveredLeft, p.coveredTop, 0, 0);
   if (!p.readOutText.value.isEmpty()) {
     const Vec3 at = seen.toScreen(p.readOutText.anchor);
-    p.readOut->placeBeside(QPointF(at.x(), at.y()), p.widget->size());
+    p.readOut->placeBeside(QPointF(at.x(), at.y()), room);
   }
   const PointId hovered = p.content.hoveredPoint();
   const auto& levels = p.document.shown().controls.levels;
@@ -210,7 +211,7 @@ void Viewport::placeOverlays() {
   const ControlPoint& point = levels[place][*row];
   const Vec3 at = seen.toScreen(point.pose.center);
   p.nameTag->setPoint(point);
-  p.nameTag->placeBeside(QPointF(at.x(), at.y()), p.widget->size());
+  p.nameTag->placeBeside(QPointF(at.x(), at.y()), room);
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {

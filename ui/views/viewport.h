@@ -36,8 +36,9 @@ class Viewport : public QWidget {
   /// The widget that gets mouse and key events; child widgets over the view have it as their parent.
   QWidget* surface() const;
 
-  /// What lies over the upper edge of the view, in logical pixels: framing leaves room for it.
-  void setCoveredTop(int pixels);
+  /// How far the view is covered from its left and from its upper edge, in logical pixels: framing leaves room
+  /// above, and boxes beside the cursor keep off both.
+  void setCovered(int left, int top);
   void frameAll();
   /// The selected points with their regions; everything when nothing is selected.
   void frameSelection();

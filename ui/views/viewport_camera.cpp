@@ -17,8 +17,9 @@ constexpr double leastFill = 0.3;
 
 }  // namespace
 
-void Viewport::setCoveredTop(int pixels) {
-  parts_->coveredTop = pixels;
+void Viewport::setCovered(int left, int top) {
+  parts_->coveredLeft = left;
+  parts_->coveredTop = top;
 }
 
 void Viewport::frameAll() {

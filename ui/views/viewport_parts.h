@@ -49,6 +49,7 @@ struct Viewport::Parts {
   CameraController* cameraController = nullptr;
   DragDetail* detail = nullptr;
   bool framesNextMesh = true;
+  int coveredLeft = 0;
   int coveredTop = 0;
 };
 

@@ -116,7 +116,7 @@ void ViewOverlays::fitLabel() {
 void ViewOverlays::arrange() {
   rail_->move(margin, margin);
   viewBar_->move(surface_.width() - viewBar_->width() - margin, margin);
-  viewport_.setCoveredTop(viewBar_->geometry().bottom() + margin / 2);
+  viewport_.setCovered(toolsRight(), viewBar_->geometry().bottom() + margin / 2);
   label_->move(rail_->geometry().right() + margin + 1, margin + 7);
   fitLabel();
 }

@@ -62,7 +62,7 @@ class ViewportTest : public QObject {
     for (const bool orthographic : {false, true}) {
       open.view.setOrthographic(orthographic);
       for (const int covered : {0, 60}) {
-        open.viewport.setCoveredTop(covered);
+        open.viewport.setCovered(0, covered);
         open.viewport.frameAll();
         double top = open.viewport.height();
         for (Index v = 0; v < open.document.shown().mesh->vertexCount(); ++v) {
@@ -371,6 +371,20 @@ class ViewportTest : public QObject {
     open.viewport.setHoveredPoint(0);
     open.frame();
     QVERIFY(!tag->isVisible());
+  }
+
+  void boxesBesideThePointKeepOffWhatLiesOverTheView() {
+    test::OpenView open(pbffd::test::cube(), cubePoints);
+    open.viewport.setCovered(60, 50);
+    const Camera camera = open.viewport.camera();
+    const auto* const box = open.viewport.findChild<QWidget*>(QStringLiteral("readOut"));
+    QVERIFY(box != nullptr);
+    for (const double side : {-1.0, 1.0}) {
+      Viewport::ReadOut readOut{QStringLiteral("X +0.350"), QStringLiteral("type a number"), {}, {}};
+      readOut.anchor = camera.focus + side * 0.6 * camera.distance * (camera.up() - 2.0 * camera.right());
+      open.viewport.setReadOut(readOut);
+      QVERIFY(QRect(60, 50, 580, 430).contains(box->geometry()));
+    }
   }
 
   void nameTagGoesWithItsLevel() {

@@ -207,7 +207,10 @@ void Document::commitPreview() {
 void Document::cancelPreview() {
   const Project before = shown();
   if (dropPreview()) {
-    show(before, true);
+    // Going back is no deformation of which the figures would tell.
+    lastMovedVertices_ = 0;
+    lastMilliseconds_ = 0.0;
+    show(before, false);
     Q_EMIT previewEnded();
   }
 }

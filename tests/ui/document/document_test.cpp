@@ -153,6 +153,7 @@ void DocumentTest::aCancelledPreviewLeavesNoTrace() {
   QVERIFY(document_->deformation()->positions() == positions);
   QCOMPARE(document_->history().count(), 1);
   QVERIFY(!document_->isModified());
+  QCOMPARE(document_->lastMovedVertices(), 0);
 }
 
 void DocumentTest::theLastPreviewOfATurnIsShown() {

@@ -152,6 +152,10 @@ std::string reasonOf(unsigned long code, const std::string& errors) {
   if (code == vtkErrorCode::OutOfDiskSpaceError) {
     return "there is no space left on the disk";
   }
+  if (code == ENOENT) {
+    // Of something else: the file was there, or it would not have been begun.
+    return "it could not be written to its end, perhaps since there is no space left on the disk";
+  }
   const bool isOfSystem = code > 0 && code < vtkErrorCode::FirstVTKErrorCode;
   return isOfSystem || errors.empty() ? std::string(vtkErrorCode::GetStringFromErrorCode(code)) : errors;
 }

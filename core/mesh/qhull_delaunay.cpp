@@ -45,9 +45,9 @@ class Complaints {
   FILE* stream_;
 };
 
-/// Of so many points on one sphere Qhull makes one cell, which it goes through again for each of them: two spheres
-/// of 20,000 vertices take minutes.
-constexpr int greatestCell = 200;
+/// Of so many points on one sphere, or of one circle, Qhull makes one cell, which it goes through again for each of
+/// them: two spheres of 20,000 vertices take minutes, a torus of as many 20 s.
+constexpr int greatestCell = 40;
 
 /// One run of Qhull. It leaves by longjmp where it gives up, so nothing with a destructor may live in the
 /// functions that call into it.

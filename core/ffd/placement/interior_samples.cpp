@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <utility>
 
 namespace pbffd {
 namespace {
@@ -37,33 +39,67 @@ struct Grid {
   }
 };
 
-/// A point of each cell of a grid over the bounds, somewhere in its middle, that lies inside.
-std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsigned seed,
-                                  const Progress& progress) {
-  // However small the volume is in its box, no more than fit in memory.
-  constexpr double greatestGrid = 1e6;
-  const Bounds& bounds = parts.bounds();
+/// Of each closed part.
+std::vector<Bounds> boundsOfClosedParts(const SurfaceParts& parts) {
+  std::vector<Bounds> bounds(static_cast<std::size_t>(parts.count()));
+  std::vector<bool> isKnown(bounds.size(), false);
+  for (Index v = 0; v < parts.mesh().vertexCount(); ++v) {
+    const Index part = parts.partOfVertex()[v];
+    if (part < 0 || !parts.isClosed(part)) {
+      continue;
+    }
+    const Vec3 at = parts.mesh().positions().row(v);
+    Bounds& own = bounds[static_cast<std::size_t>(part)];
+    own = isKnown[part] ? Bounds{own.low.cwiseMin(at), own.high.cwiseMax(at)} : Bounds{at, at};
+    isKnown[part] = true;
+  }
+  std::vector<Bounds> known;
+  for (std::size_t part = 0; part < bounds.size(); ++part) {
+    if (isKnown[part]) {
+      known.push_back(bounds[part]);
+    }
+  }
+  return known;
+}
+
+/// A point of each cell of a grid over the bounds, somewhere in its middle.
+void scatter(const Bounds& bounds, double size, double greatestGrid, unsigned seed, PointPool& scattered) {
   Grid grid(bounds, size);
   while (grid.total() > greatestGrid) {
     size *= 1.25;
     grid = Grid(bounds, size);
   }
   const auto total = static_cast<std::size_t>(grid.total());
-  Points points(static_cast<Eigen::Index>(total), 3);
   for (std::size_t i = 0; i < total; ++i) {
     const std::size_t at[3] = {i % grid.counts[0], i / grid.counts[0] % grid.counts[1],
                                i / grid.counts[0] / grid.counts[1]};
+    Vec3 point;
     for (int axis = 0; axis < 3; ++axis) {
       const double shift = 0.5 * (randomShare(seed, 3 * i + axis) - 0.5);
-      points(static_cast<Index>(i), axis) =
-          grid.first[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
+      point[axis] = grid.first[axis] + grid.cell[axis] * (static_cast<double>(at[axis]) + shift);
     }
+    scattered.append(point, 0);
   }
-  const std::vector<bool> isInside = parts.likelyInsideFlags(points, progress);
+}
+
+/// Points spread over the inside, about one in each cube of this size. Each closed part has a grid of its own,
+/// for small ones may lie far apart.
+std::vector<Vec3> scatteredInside(const SurfaceParts& parts, double size, unsigned seed,
+                                  const Progress& progress) {
+  // However small the volume is in its box, no more than fit in memory.
+  constexpr double greatestTotal = 1e6;
+  const std::vector<Bounds> bounds = boundsOfClosedParts(parts);
+  const double greatestGrid = std::max(64.0, greatestTotal / static_cast<double>(bounds.size()));
+  PointPool scattered;
+  for (const Bounds& one : bounds) {
+    scatter(one, size, greatestGrid, seed, scattered);
+  }
+  scattered.shrink();
+  const std::vector<bool> isInside = parts.likelyInsideFlags(scattered.points, progress);
   std::vector<Vec3> inside;
-  for (std::size_t i = 0; i < total; ++i) {
+  for (Index i = 0; i < scattered.size(); ++i) {
     if (isInside[i]) {
-      inside.emplace_back(points.row(static_cast<Index>(i)));
+      inside.emplace_back(scattered.points.row(i));
     }
   }
   return inside;
@@ -97,6 +133,9 @@ PointPool thoseOf(const PointPool& pool, const std::vector<bool>& isKept) {
   kept.shrink();
   return kept;
 }
+
+/// A few candidates for each that is wanted, the best spaced first.
+constexpr double candidatesPerPoint = 4.0;
 
 /// How many points are wanted, and how they shall stand.
 struct Wanted {
@@ -143,8 +182,6 @@ PointPool distinctPlaces(const PointPool& pool, const Wanted& wanted, const Boun
 /// number.
 PointPool samplesBeside(const PointPool& pool, const Wanted& wanted, const SurfaceParts& parts,
                         const Progress& progress) {
-  // A few candidates for each that is wanted, the best spaced first.
-  constexpr double candidatesPerPoint = 4.0;
   constexpr int attempts = 9;
   constexpr double closer = 0.7;
   SpacedPicks picks = wellSpaced(pool, wanted, parts.bounds());
@@ -170,6 +207,66 @@ PointPool samplesBeside(const PointPool& pool, const Wanted& wanted, const Surfa
   return samples;
 }
 
+/// A ball inside that holds fewer places than its share of the volume.
+struct HollowBall {
+  Vec3 center;
+  double radius;
+};
+
+/// The balls about well-spaced places, as large as the surface lets them be, in which the medial surface has
+/// shrunk to a point or a line, for it holds few of these places.
+std::vector<HollowBall> hollowBalls(const std::vector<Vec3>& places, const Wanted& wanted,
+                                    const SurfaceParts& parts) {
+  constexpr double leastExpected = 8.0;
+  constexpr double fewShare = 0.25;
+  // Of very many places a part is looked at; they come in random order, and large balls hold many.
+  constexpr std::size_t mostComparisons = 10'000'000;
+  std::size_t left = mostComparisons / std::max<std::size_t>(1, places.size());
+  std::vector<HollowBall> hollow;
+  for (const Vec3& place : places) {
+    const double radius = parts.mesh().nearestVertex().nearest(place).distance;
+    const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    const double expected = wanted.count * std::min(1.0, volume / parts.volume());
+    const bool isKnown = std::any_of(hollow.begin(), hollow.end(), [&](const HollowBall& ball) {
+      return (place - ball.center).norm() + radius < 1.1 * ball.radius;
+    });
+    if (expected < leastExpected || isKnown) {
+      continue;
+    }
+    if (left-- == 0) {
+      break;
+    }
+    const auto held = std::count_if(places.begin(), places.end(), [&](const Vec3& other) {
+      return (other - place).squaredNorm() < radius * radius;
+    });
+    if (static_cast<double>(held) < fewShare * expected) {
+      hollow.push_back({place, radius});
+    }
+  }
+  return hollow;
+}
+
+/// The pool, and well-spaced points in its hollow balls. Each of these is inside by the winding number.
+PointPool withHollowBallsFilled(PointPool pool, const Wanted& wanted, const SurfaceParts& parts,
+                                const Progress& progress) {
+  SpacedPicks picks = wellSpaced(pool, {pool.size(), wanted.spacing, wanted.seed}, parts.bounds());
+  const std::vector<HollowBall> balls = hollowBalls(picks.positions(), wanted, parts);
+  if (balls.empty()) {
+    return pool;
+  }
+  const double cell = std::cbrt(parts.volume() / (candidatesPerPoint * wanted.count));
+  for (const Vec3& candidate : scatteredInside(parts, cell, wanted.seed, progress)) {
+    const bool isInBall = std::any_of(balls.begin(), balls.end(), [&](const HollowBall& ball) {
+      return (candidate - ball.center).squaredNorm() < ball.radius * ball.radius;
+    });
+    if (isInBall && picks.pick({candidate, Vec3::Zero(), 0, wanted.spacing}) && parts.isInside(candidate)) {
+      pool.append(candidate, partNear(parts, candidate));
+    }
+  }
+  pool.shrink();
+  return pool;
+}
+
 }  // namespace
 
 PointPool withInteriorSamples(const PointPool& pool, Index target, const SurfaceParts& parts, unsigned seed,
@@ -184,7 +281,7 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
   const auto distinct = [&](const PointPool& of) { return distinctPlaces(of, wanted, parts.bounds()); };
   if (PointPool places = likelyInside(distinct(pool));
       wellSpaced(places, wanted, parts.bounds()).size() >= target) {
-    return places;
+    return withHollowBallsFilled(std::move(places), wanted, parts, progress);
   }
   // On plates and needles votes go wrong; here, where few points are, no vote counts.
   const PointPool inside = likelyInside(pool);
@@ -202,7 +299,7 @@ PointPool withInteriorSamples(const PointPool& pool, Index target, const Surface
     filled.dropDoubles();
   }
   filled.shrink();
-  return filled;
+  return withHollowBallsFilled(std::move(filled), wanted, parts, progress);
 }
 
 }  // namespace pbffd

@@ -164,6 +164,9 @@ PartnerSearch::Partner PartnerSearch::nearest(Index place) const {
 
 PartnerSearch::Partner PartnerSearch::best(Index place) {
   constexpr std::size_t most = 128;
+  // Who has no partner among so many stands alone: with more parts than points all pairs may be forbidden.
+  constexpr int mostForbidden = 64;
+  int forbidden = 0;
   constexpr double nowhere = -1.0;
   FewQuery query{place, point(place), 1, {-1, nowhere}, {}, {}};
   // By distance, until the next one could not be the best whatever its factor; mostly the first one is.
@@ -178,6 +181,10 @@ PartnerSearch::Partner PartnerSearch::best(Index place) {
       const double cost = std::isfinite(factor) ? factor * partner.cost : factor;
       if (std::isfinite(factor) && isBetter(cost, partner.place, query.limit)) {
         query.limit = {partner.place, cost};
+      }
+      forbidden += std::isfinite(factor) ? 0 : 1;
+      if (forbidden >= mostForbidden && query.limit.place < 0) {
+        return query.limit;
       }
     }
     if (query.found.size() < query.few) {

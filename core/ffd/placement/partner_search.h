@@ -23,7 +23,8 @@ class PartnerSearch {
   /// run at the same time for different places.
   Partner nearest(Index place) const;
 
-  /// The partner of least cost, the lowest place on a tie.
+  /// The partner of least cost, the lowest place on a tie; none where many of the nearest must not merge and no
+  /// other was met.
   Partner best(Index place);
 
   /// By how much the rules put this pair back.

@@ -38,8 +38,9 @@ constexpr Index fewVertices = 600;
 constexpr Index sitesOfFewVertices = 1500;
 
 /// The vertices that are sites.
-SurfaceSamples vertexSites(const SurfaceParts& parts, const PlacementCache::Ground& ground) {
-  return ground.sites == 0 ? everyVertex(parts) : spacedVertices(parts, ground.sites, ground.seed);
+SurfaceSamples vertexSites(const SurfaceParts& parts, const PlacementCache::Ground& ground,
+                           const Progress& progress) {
+  return ground.sites == 0 ? everyVertex(parts) : spacedVertices(parts, ground.sites, ground.seed, progress);
 }
 
 /// For the Voronoi diagram.
@@ -54,11 +55,12 @@ SurfaceSamples sitesFrom(const SurfaceSamples& vertices, const SurfaceParts& par
 
 /// Where exterior points start.
 SurfaceSamples startsFrom(const SurfaceSamples& vertices, const SurfaceParts& parts,
-                          const PlacementCache::Ground& ground) {
+                          const PlacementCache::Ground& ground, const Progress& progress) {
   if (vertices.size() >= ground.places) {
     return vertices;
   }
-  return withFaceSamples(parts, spacedVertices(parts, ground.places, ground.seed), ground.places, ground.seed);
+  return withFaceSamples(parts, spacedVertices(parts, ground.places, ground.seed, progress), ground.places,
+                         ground.seed);
 }
 
 PlacementCache::Outside chooseOutside(const PointPool& pool, const PlacementOptions& options,
@@ -112,12 +114,12 @@ std::shared_ptr<const PlacementCache> PlacementCache::make(const std::shared_ptr
   progress.throwIfCancelled();
   const SurfaceParts& parts = *made->parts;
   progress.report("Placing points: sites");
-  const SurfaceSamples vertices = vertexSites(parts, made->ground);
+  const SurfaceSamples vertices = vertexSites(parts, made->ground, progress);
   const auto makeExterior = [&] {
     Exterior exterior;
     const auto make = [&] {
       exterior.pools = std::make_shared<const ExteriorPools>(exteriorPools(
-          parts, startsFrom(vertices, parts, made->ground), options.offset * parts.diagonal(), progress));
+          parts, startsFrom(vertices, parts, made->ground, progress), options.offset * parts.diagonal(), progress));
       if (!sameGround) {
         exterior.outside = chooseOutside(exterior.pools->outside, options, parts, progress);
         warmUp(*mesh, options.reach);

@@ -37,14 +37,17 @@ Index coarseTarget(Index places, Index target) {
 /// Which mid-points are asked for their side: those of pairs with a wall between, or each of them.
 enum class Asked { acrossWalls, each };
 
-MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts, Asked asked) {
+MergeRules rulesFor(const PointPool& pool, Index target, Side side, const SurfaceParts& parts, Asked asked,
+                    const Progress& progress) {
   MergeRules rules;
   if (static_cast<Index>(std::set<Index>(pool.parts.begin(), pool.parts.end()).size()) <= target) {
     rules.groups = pool.parts;
   } else {
     rules.groups.assign(pool.parts.size(), 0);
   }
-  rules.factor = [side, asked, &parts](const Vec3& a, const Vec3& b) {
+  rules.factor = [side, asked, &parts, &progress](const Vec3& a, const Vec3& b) {
+    // Long may pass until two are found that merge.
+    progress.throwIfCancelled();
     const auto isOffSide = [&](const Vec3& point) { return parts.isInside(point) != (side == Side::inside); };
     const bool isAcross = parts.isBetween(a, b);
     // Points of a part that lies wholly off side have no side to leave.
@@ -188,7 +191,9 @@ PointPool decimatedPool(const PointPool& pool, Index target, Side side, const Su
   if (target <= 0) {
     return {};
   }
-  const auto rules = [&](const PointPool& of, Asked asked) { return rulesFor(of, target, side, parts, asked); };
+  const auto rules = [&](const PointPool& of, Asked asked) { 
+    return rulesFor(of, target, side, parts, asked, progress);
+  };
   const PointPool grouped{pool.points, rules(pool, Asked::acrossWalls).groups};
   const std::set<Index> whollyOffSide = partsWhollyOffSide(grouped, side, parts, progress);
   const Decimated coarse = decimateInOctree(grouped.points, coarseTarget(grouped.size(), target),

@@ -6,8 +6,16 @@
 namespace pbffd {
 namespace {
 
-/// So that the grid stays small where the spacing is fine.
-constexpr double cellsAlongAnAxis = 120.0;
+/// Cells are found by hashing, so that a part far away makes those of the others no larger.
+constexpr std::uint64_t buckets = 1U << 17;
+constexpr double cellsAlongAnAxis = 1e9;
+
+std::size_t bucketOf(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto mixed = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15U ^
+                     static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fU ^
+                     static_cast<std::uint64_t>(z) * 0x165667b19e3779f9U;
+  return (mixed ^ mixed >> 29U ^ mixed >> 47U) & (buckets - 1);
+}
 
 }  // namespace
 
@@ -15,33 +23,36 @@ SpacedPicks::SpacedPicks(const Vec3& low, const Vec3& high, double spacing) : lo
   const Vec3 extent = high - low;
   const double cell = std::max({spacing, extent.maxCoeff() / cellsAlongAnAxis, 1e-300});
   inverseCell_ = 1.0 / cell;
-  for (int axis = 0; axis < 3; ++axis) {
-    counts_[axis] = static_cast<Index>(extent[axis] * inverseCell_) + 1;
-  }
-  first_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2], -1);
+  first_.assign(buckets, -1);
 }
 
-Index SpacedPicks::cellAlong(int axis, double coordinate) const {
+std::int64_t SpacedPicks::cellAlong(int axis, double coordinate) const {
   const double cell = (coordinate - low_[axis]) * inverseCell_;
-  return std::clamp(static_cast<Index>(std::clamp(cell, 0.0, 1e6)), 0, counts_[axis] - 1);
+  return static_cast<std::int64_t>(std::clamp(cell, 0.0, 2.0 * cellsAlongAnAxis));
+}
+
+std::vector<Vec3> SpacedPicks::positions() const {
+  std::vector<Vec3> positions;
+  positions.reserve(picks_.size());
+  for (const Candidate& pick : picks_) {
+    positions.push_back(pick.position);
+  }
+  return positions;
 }
 
 bool SpacedPicks::pick(const Candidate& candidate) {
-  Index from[3];
-  Index to[3];
-  Index own[3];
+  std::int64_t from[3];
+  std::int64_t to[3];
+  std::int64_t own[3];
   for (int axis = 0; axis < 3; ++axis) {
     from[axis] = cellAlong(axis, candidate.position[axis] - candidate.spacing);
     to[axis] = cellAlong(axis, candidate.position[axis] + candidate.spacing);
     own[axis] = cellAlong(axis, candidate.position[axis]);
   }
-  const auto cellAt = [&](Index x, Index y, Index z) {
-    return (static_cast<std::size_t>(z) * counts_[1] + y) * counts_[0] + x;
-  };
-  for (Index z = from[2]; z <= to[2]; ++z) {
-    for (Index y = from[1]; y <= to[1]; ++y) {
-      for (Index x = from[0]; x <= to[0]; ++x) {
-        for (Index i = first_[cellAt(x, y, z)]; i >= 0; i = next_[i]) {
+  for (std::int64_t z = from[2]; z <= to[2]; ++z) {
+    for (std::int64_t y = from[1]; y <= to[1]; ++y) {
+      for (std::int64_t x = from[0]; x <= to[0]; ++x) {
+        for (Index i = first_[bucketOf(x, y, z)]; i >= 0; i = next_[i]) {
           const Candidate& other = picks_[i];
           const double spacing = std::min(candidate.spacing, other.spacing);
           if (other.part == candidate.part && candidate.normal.dot(other.normal) >= 0.0 &&
@@ -52,7 +63,7 @@ bool SpacedPicks::pick(const Candidate& candidate) {
       }
     }
   }
-  Index& head = first_[cellAt(own[0], own[1], own[2])];
+  Index& head = first_[bucketOf(own[0], own[1], own[2])];
   next_.push_back(head);
   head = size();
   picks_.push_back(candidate);

@@ -2,6 +2,7 @@
 
 #include "core/base/types.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pbffd {
@@ -23,15 +24,16 @@ class SpacedPicks {
   /// Takes the candidate unless a picked one is nearer than the lesser of the two spacings.
   bool pick(const Candidate& candidate);
   Index size() const { return static_cast<Index>(picks_.size()); }
+  /// Of the picks.
+  std::vector<Vec3> positions() const;
 
  private:
-  Index cellAlong(int axis, double coordinate) const;
+  std::int64_t cellAlong(int axis, double coordinate) const;
 
   Vec3 low_;
   double inverseCell_;
-  Index counts_[3];
-  std::vector<Index> first_;  ///< one a cell: the last pick there
-  std::vector<Index> next_;   ///< one a pick: another of the same cell, -1 at the end
+  std::vector<Index> first_;  ///< one a bucket, which some cells share: the last pick there
+  std::vector<Index> next_;   ///< one a pick: another of the same bucket, -1 at the end
   std::vector<Candidate> picks_;
 };
 

@@ -146,7 +146,7 @@ SurfaceSamples everyVertex(const SurfaceParts& parts) {
   return samplesAt(parts, verticesWithFaces(parts));
 }
 
-SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned seed) {
+SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned seed, const Progress& progress) {
   const std::vector<Index> vertices = verticesWithFaces(parts);
   const auto total = static_cast<Index>(vertices.size());
   if (total <= count) {
@@ -159,6 +159,7 @@ SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned s
   std::vector<Index> picked;
   // Wider until too few find room, then filled up at closer and closer spacing.
   for (int attempt = 0; attempt < 20; ++attempt) {
+    progress.throwIfCancelled();
     picked = thrower.pick(scale, count + count / 2, {});
     if (static_cast<Index>(picked.size()) <= count) {
       break;
@@ -167,6 +168,7 @@ SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned s
   }
   picked.resize(std::min(picked.size(), static_cast<std::size_t>(count)));
   for (int attempt = 0; attempt < 12 && static_cast<Index>(picked.size()) < count; ++attempt) {
+    progress.throwIfCancelled();
     scale *= 0.75;
     picked = thrower.pick(scale, count, picked);
   }

@@ -20,7 +20,9 @@ SurfaceSamples everyVertex(const SurfaceParts& parts);
 
 /// `count` vertices (all when there are no more), well spaced, closer together where the surface bends; on
 /// both sides of a thin wall and on every part. `seed` chooses between the many such sets.
-SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned seed);
+/// Throws Cancelled.
+SurfaceSamples spacedVertices(const SurfaceParts& parts, Index count, unsigned seed,
+                              const Progress& progress = {});
 
 /// `samples` and so many points of the faces between them that there are `count`, well spaced: for meshes
 /// of few vertices.

@@ -91,7 +91,7 @@ Refinement refinedPoints(const std::shared_ptr<const RestMesh>& mesh, const Cont
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     points.push_back(refining(task.level[chosen[i].refines], regions[i]));
   }
-  FittedPoints fitted = fittedPoints(std::move(points), mesh, set, allowedChange * mesh->diagonal(), progress);
+  FittedPoints fitted = fittedPoints(std::move(points), mesh, set, allowedChange * pools.parts->diagonal(), progress);
   result.change = fitted.change;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     result.points.push_back({std::move(fitted.points[i]), chosen[i].refines});

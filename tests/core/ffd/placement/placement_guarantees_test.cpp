@@ -113,6 +113,28 @@ class PlacementGuaranteesTest : public QObject {
     requireInteriorApart(many, withPoints(200));
   }
 
+  void solidsFarApartAreFilledEach() {
+    // Their box is mostly empty: a grid over all of it finds none of them.
+    Mesh balls;
+    for (int i = 0; i < 6; ++i) {
+      balls = test::merged(balls, test::placedAt(test::sphere(20, 40), 1.0, Vec3(200.0 * i, 90.0 * (i % 3), 0)));
+    }
+    requireInteriorApart(balls, withPoints(200));
+  }
+
+  void ballBesideThinPartsIsFilled() {
+    // The sheet-like part alone has places enough for all points inside; the ball's medial surface is its centre.
+    const Mesh ball = test::placedAt(test::sphere(40, 80), 1.0, Vec3(0, 0, 2));
+    Mesh plate = test::sphere(60, 120);
+    plate.positions = plate.positions * Vec3(3, 3, 0.02).asDiagonal();
+    const auto shared = rest(test::merged(ball, plate));
+    Index within = 0;
+    for (const ControlPoint& point : placeControlPoints(shared, withPoints(200)).finest) {
+      within += point.kind == PointKind::interior && (point.rest.center - Vec3(0, 0, 2)).norm() < 1.0;
+    }
+    QVERIFY(within > 4);
+  }
+
   void farAndTinyMeshesKeepThePromises() {
     requireGuarantees(test::placedAt(test::fork(), 1.0, Vec3::Constant(1e8)), withPoints(100));
     requireGuarantees(test::placedAt(test::fork(), 1e-12, Vec3::Zero()), withPoints(100));

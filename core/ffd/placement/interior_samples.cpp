@@ -213,6 +213,19 @@ struct HollowBall {
   double radius;
 };
 
+/// Between coarse vertices the surface may run through a ball that no vertex is in.
+bool isWhollyInside(const HollowBall& ball, const SurfaceParts& parts) {
+  constexpr double nearlyAtBorder = 0.9;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      if (!parts.isInside(ball.center + side * nearlyAtBorder * ball.radius * Vec3::Unit(axis))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// The balls about well-spaced places, as large as the surface lets them be, in which the medial surface has
 /// shrunk to a point or a line, for it holds few of these places.
 std::vector<HollowBall> hollowBalls(const std::vector<Vec3>& places, const Wanted& wanted,
@@ -239,7 +252,7 @@ std::vector<HollowBall> hollowBalls(const std::vector<Vec3>& places, const Wante
     const auto held = std::count_if(places.begin(), places.end(), [&](const Vec3& other) {
       return (other - place).squaredNorm() < radius * radius;
     });
-    if (static_cast<double>(held) < fewShare * expected) {
+    if (static_cast<double>(held) < fewShare * expected && isWhollyInside({place, radius}, parts)) {
       hollow.push_back({place, radius});
     }
   }

@@ -4,6 +4,7 @@
 #include "core/ffd/deform/deformation.h"
 #include "core/ffd/deform/space_deformation.h"
 #include "core/ffd/weights/reach.h"
+#include "core/mesh/nearest_face_vertex.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -61,6 +62,7 @@ class Fit {
       const Progress& progress)
       : points_(std::move(points)),
         mesh_(*mesh),
+        surface_(*mesh),
         set_(set),
         progress_(progress),
         space_(mesh, set, ReachRule::asStored, progress),
@@ -175,8 +177,7 @@ class Fit {
 
   void shrink(ControlPoint& point) const {
     const Frame smaller{point.rest.center, shrinking * point.rest.axes};
-    const Vec3 vertex = mesh_.positions().row(mesh_.nearestVertex().nearest(smaller.center).index);
-    if (Region(smaller).squaredDistance(vertex) <= touchedAt * touchedAt) {
+    if (Region(smaller).squaredDistance(surface_.to(smaller.center)) <= touchedAt * touchedAt) {
       point.rest = smaller;
     } else {
       point.strength *= weakening;
@@ -198,6 +199,7 @@ class Fit {
 
   std::vector<ControlPoint> points_;
   const RestMesh& mesh_;
+  NearestFaceVertex surface_;
   const ControlSet& set_;
   const Progress& progress_;
   SpaceDeformation space_;

@@ -4,9 +4,11 @@
 #include "core/ffd/basis.h"
 #include "core/ffd/placement/interior_samples.h"
 #include "core/ffd/weights/point_blocks.h"
+#include "core/mesh/face_vertices.h"
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -60,7 +62,9 @@ class Candidates {
   Candidates(const RefinementTask& task, const SurfaceParts& parts, const RestMesh& mesh)
       : task_(task),
         parts_(parts),
-        vertices_(mesh.positions(), mesh.mortonOrder()),
+        order_(mesh.mortonOrder()),
+        vertices_(mesh.positions(), order_),
+        hasFace_(hasFaceFlags(mesh.mesh())),
         isRefined_(static_cast<std::size_t>(task.level.size()), false) {
     for (const Index place : task.places) {
       isRefined_[static_cast<std::size_t>(place)] = true;
@@ -87,12 +91,22 @@ class Candidates {
     const Frame& rest = task_.level[one.refines].rest;
     const Region touched({one.position, touchedAt * greatestShare(task_.factor) * rest.axes});
     const std::vector<Index> blocks = vertices_.blocksNear(touched);
-    return std::any_of(blocks.begin(), blocks.end(),
-                       [&](Index block) { return vertices_.inside(block, touched) != 0; }) &&
+    return std::any_of(blocks.begin(), blocks.end(), [&](Index block) { return touches(block, touched); }) &&
            !parts_.isBetween(rest.center, one.position);
   }
 
  private:
+  /// Whether a vertex of the block that has a face is in the region.
+  bool touches(Index block, const Region& region) const {
+    for (unsigned left = vertices_.inside(block, region); left != 0; left &= left - 1) {
+      const Index slot = block * PointBlocks::blockSize + std::countr_zero(left);
+      if (hasFace_[static_cast<std::size_t>(order_[static_cast<std::size_t>(slot)])]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   Candidate candidate(const Vec3& position, Side side) const {
     Candidate result{position, -1, std::numeric_limits<double>::infinity()};
     Index nearest = -1;
@@ -114,7 +128,9 @@ class Candidates {
 
   const RefinementTask& task_;
   const SurfaceParts& parts_;
+  const std::vector<Index>& order_;
   PointBlocks vertices_;
+  std::vector<bool> hasFace_;
   std::vector<bool> isRefined_;
 };
 

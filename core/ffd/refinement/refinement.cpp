@@ -4,6 +4,7 @@
 #include "core/ffd/refinement/fitted_poses.h"
 #include "core/ffd/refinement/refined_places.h"
 #include "core/ffd/rest_centres.h"
+#include "core/mesh/nearest_face_vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +22,21 @@ constexpr double touchedAt = 0.8;
 /// The usual regions of placement for the new places among all points, no larger and not much smaller than the
 /// number of points tells.
 std::vector<Frame> regionsFor(const std::vector<RefinedPlace>& places, const RefinementTask& task,
-                              const PlacementOptions& options, const RestMesh& mesh) {
+                              const PlacementOptions& options, const NearestFaceVertex& surface,
+                              double diagonal) {
   Points centres(task.level.size() + static_cast<Index>(places.size()), 3);
   centres.topRows(task.level.size()) = restCentres(task.level);
   for (std::size_t i = 0; i < places.size(); ++i) {
     centres.row(task.level.size() + static_cast<Index>(i)) = places[i].center;
   }
-  const std::vector<Frame> usual = regionsOf(centres, options.radiusFactor, options.regions, mesh.diagonal());
+  const std::vector<Frame> usual = regionsOf(centres, options.radiusFactor, options.regions, diagonal);
   std::vector<Frame> regions(usual.begin() + task.level.size(), usual.end());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double refined = sizeOf(task.level[places[i].refines].rest);
     const double size = sizeOf(regions[i]);
     const double wanted = std::clamp(size, refined / task.factor, refined * greatestShare(task.factor));
     regions[i].axes *= wanted / size;
-    const Index vertex = mesh.nearestVertex().nearest(places[i].center).index;
-    const double nearest = std::sqrt(Region(regions[i]).squaredDistance(mesh.positions().row(vertex)));
+    const double nearest = std::sqrt(Region(regions[i]).squaredDistance(surface.to(places[i].center)));
     regions[i].axes *= std::max(1.0, nearest / touchedAt);
   }
   return regions;
@@ -86,12 +87,14 @@ Refinement refinedPoints(const std::shared_ptr<const RestMesh>& mesh, const Cont
   const RefinementPools pools = refinementPools(mesh, task, options.placement, result.cache, progress);
   progress.report("Refining: places");
   const std::vector<RefinedPlace> chosen = chosenPlaces(task, pools, *mesh, options.placement.seed, progress);
-  const std::vector<Frame> regions = regionsFor(chosen, task, options.placement, *mesh);
+  const double diagonal = pools.parts->diagonal();
+  const std::vector<Frame> regions =
+      regionsFor(chosen, task, options.placement, NearestFaceVertex(*mesh), diagonal);
   std::vector<ControlPoint> points;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     points.push_back(refining(task.level[chosen[i].refines], regions[i]));
   }
-  FittedPoints fitted = fittedPoints(std::move(points), mesh, set, allowedChange * pools.parts->diagonal(), progress);
+  FittedPoints fitted = fittedPoints(std::move(points), mesh, set, allowedChange * diagonal, progress);
   result.change = fitted.change;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     result.points.push_back({std::move(fitted.points[i]), chosen[i].refines});

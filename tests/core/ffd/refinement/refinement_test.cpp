@@ -92,6 +92,31 @@ class RefinementTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void looseVerticesCountForNothing() {
+    // Some all about the shape, and one that makes the bounds a hundred times as large.
+    Mesh shape = test::cylinder(4.0, 0.5, 60);
+    const Index count = shape.vertexCount();
+    constexpr Index loose = 500;
+    shape.positions.conservativeResize(count + loose, 3);
+    for (Index i = 0; i < loose; ++i) {
+      const double turn = 2.4 * static_cast<double>(i);
+      shape.positions.row(count + i) =
+          Vec3(4.0 * static_cast<double>(i) / loose, 1.2 * std::cos(turn), 1.2 * std::sin(turn));
+    }
+    shape.positions.row(count) = Vec3(400, 0, 0);
+    Placed placed(shape, 60);
+    const Refinement refinement = placed.refined(every(4, placed), 8);
+    QVERIFY(!refinement.points.empty());
+    for (const RefinedPoint& one : refinement.points) {
+      const Region region(one.point.rest);
+      bool isTouched = false;
+      for (Index v = 0; v < count && !isTouched; ++v) {
+        isTouched = region.squaredDistance(shape.positions.row(v)) < 1.0;
+      }
+      QVERIFY(isTouched);
+    }
+  }
+
   void affineDeformationDoesNotChange_data() { shapesAndFactors(); }
 
   void affineDeformationDoesNotChange() {

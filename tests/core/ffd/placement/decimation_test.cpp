@@ -138,6 +138,18 @@ class DecimationTest : public QObject {
     QCOMPARE(mergeClosestPairs(points, 1, rules).points.rows(), Eigen::Index(2));
   }
 
+  void whoMayMergeWithNobodyIsAskedAboutFew() {
+    // With more parts than points no pair may be left, however many there are.
+    const Points points = randomPoints(2000);
+    Index asked = 0;
+    const MergeRules none{{}, [&](const Vec3&, const Vec3&) {
+                            ++asked;
+                            return std::numeric_limits<double>::infinity();
+                          }};
+    QCOMPARE(mergeClosestPairs(points, 100, none).points.rows(), 2000);
+    QVERIFY(asked < 100 * 2000);
+  }
+
   void mergesTellTheMidPoints() {
     Points points(3, 3);
     points << 0, 0, 0, 1, 0, 0, 5, 0, 0;

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <random>
 
 namespace pbffd {
 namespace {
@@ -93,19 +94,17 @@ class RefinementTest : public QObject {
 
  private Q_SLOTS:
   void looseVerticesCountForNothing() {
-    // Some all about the shape, and one that makes the bounds a hundred times as large.
     Mesh shape = test::cylinder(4.0, 0.5, 60);
     const Index count = shape.vertexCount();
-    constexpr Index loose = 500;
+    constexpr Index loose = 4000;
     shape.positions.conservativeResize(count + loose, 3);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> share(-1.0, 1.0);
     for (Index i = 0; i < loose; ++i) {
-      const double turn = 2.4 * static_cast<double>(i);
-      shape.positions.row(count + i) =
-          Vec3(4.0 * static_cast<double>(i) / loose, 1.2 * std::cos(turn), 1.2 * std::sin(turn));
+      shape.positions.row(count + i) = Vec3(2.0 + 2.5 * share(random), 1.5 * share(random), 1.5 * share(random));
     }
-    shape.positions.row(count) = Vec3(400, 0, 0);
     Placed placed(shape, 60);
-    const Refinement refinement = placed.refined(every(4, placed), 8);
+    const Refinement refinement = placed.refined(every(10, placed), 16);
     QVERIFY(!refinement.points.empty());
     for (const RefinedPoint& one : refinement.points) {
       const Region region(one.point.rest);

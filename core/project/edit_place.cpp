@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/ffd/levels/hierarchy.h"
 #include "core/ffd/placement/placement_cache.h"
+#include "core/mesh/face_vertices.h"
 #include "core/project/edit_functions.h"
 #include "core/project/edit_survivors.h"
 #include "core/project/shape.h"
@@ -73,7 +74,8 @@ void carryAlong(const EditScope& scope, ControlSet& placed) {
   placed.master.pose = moved(placed.master.rest, former.master.map());
 }
 
-/// How far the surface moved because other points carry it now.
+/// How far the surface moved because other points carry it now, in units of the mesh and by its own size:
+/// vertices without a face count for nothing.
 void remarkDifference(const EditScope& scope, const Project& after) {
   if (isAtRest(scope.before.controls)) {
     return;
@@ -81,13 +83,19 @@ void remarkDifference(const EditScope& scope, const Project& after) {
   const auto positions = [&](const Project& project) {
     return deformedPositions(project, scope.workspace.weights, scope.progress);
   };
-  const double greatest = (positions(after) - positions(scope.before)).rowwise().norm().maxCoeff();
-  const double share = greatest / scope.before.mesh->diagonal();
+  const RestMesh& mesh = *scope.before.mesh;
+  const std::vector<bool> hasFace = hasFaceFlags(mesh.mesh());
+  const Eigen::VectorXd moved = (positions(after) - positions(scope.before)).rowwise().norm();
+  double greatest = 0.0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    greatest = hasFace[v] ? std::max(greatest, moved[v]) : greatest;
+  }
+  const double share = greatest / boundsOf(FacePositions(mesh.mesh()).points()).diagonal();
   // Below a millionth it is rounding, and nothing that anybody could see.
   scope.remarks.push_back(share < 1e-6 ? std::string("The edits are kept, and the shape is the same.")
-                                       : format("The edits are kept; the shape differs by at most {:.3g}, {:.2g} % "
-                                                "of its diagonal.",
-                                                greatest, 100.0 * share));
+                                       : format("The edits are kept; the shape differs by at most {}, {} % of its "
+                                                "diagonal.",
+                                                figures(greatest), figures(100.0 * share)));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/project/mirror.h"
 #include "core/project/shape.h"
@@ -107,8 +108,8 @@ class EditPlaceTest : public QObject {
                          deformedShape(bent, workspace.weights).positions;
     const double greatest = moved.rowwise().norm().maxCoeff();
     QVERIFY(greatest > 1e-3);
-    QVERIFY(says(result, format("differs by at most {:.3g}, {:.2g} %", greatest,
-                                100.0 * greatest / bent.mesh->diagonal())));
+    const double share = 100.0 * greatest / bent.mesh->diagonal();
+    QVERIFY(says(result, format("differs by at most {}, {} %", figures(greatest), figures(share))));
   }
 
   void symmetricPlacingMakesPartners() {
